@@ -1,0 +1,11 @@
+#pragma once
+
+namespace peritherm::app {
+
+/// From now on the first SIGINT or SIGTERM only asks for the end; the second one ends the program at once.
+void watch_interrupts();
+
+/// The signal that asked for the end; 0: none yet.
+int interrupt();
+
+}  // namespace peritherm::app

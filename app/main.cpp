@@ -1,0 +1,152 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "interrupt.hpp"
+#include "peritherm/base/error.hpp"
+#include "peritherm/base/version.hpp"
+#include "peritherm/simulation/read.hpp"
+#include "peritherm/simulation/schema.hpp"
+#include "peritherm/simulation/simulate.hpp"
+#include "peritherm/simulation/write.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include "text.hpp"
+
+namespace peritherm::app {
+namespace {
+
+constexpr int exit_done = 0;
+constexpr int exit_input = static_cast<int>(Fault::input);
+constexpr int exit_machine = static_cast<int>(Fault::machine);
+constexpr int exit_signal_base = 128;  ///< the shell's habit: 130 for SIGINT
+
+struct Arguments {
+  std::string case_file;
+  std::string output;
+  std::vector<std::string> overrides;
+  int threads = -1;  ///< −1: what the case says
+  bool quiet = false;
+  bool overwrite = false;
+  bool markdown = false;
+};
+
+std::vector<std::string> all_overrides(const Arguments& arguments) {
+  std::vector<std::string> overrides = arguments.overrides;
+  if (arguments.threads >= 0) overrides.push_back("numerics.threads=" + std::to_string(arguments.threads));
+  return overrides;
+}
+
+/// results/NAME, after the file, or after its folder if the file is called case.toml like most.
+std::filesystem::path result_folder(const Arguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  const std::filesystem::path file = std::filesystem::absolute(arguments.case_file).lexically_normal();
+  const std::filesystem::path folder_name = file.parent_path().filename();
+  const bool named_by_folder = file.filename() == "case.toml" && !folder_name.empty();
+  return std::filesystem::path("results") / (named_by_folder ? folder_name : file.stem());
+}
+
+int run_case(const Arguments& arguments) {
+  const ReadCase read = read_case_file(arguments.case_file, all_overrides(arguments));
+  const bool quiet = arguments.quiet;
+  ProgressDisplay display(std::cout, display_style(quiet));
+
+  RunSettings settings;
+  settings.folder = result_folder(arguments);
+  settings.overwrite = arguments.overwrite;
+  settings.on_plan = [&read, quiet](const Plan& plan) {
+    if (quiet) return;
+    if (!read.problem.title.empty()) std::cout << read.problem.title << '\n';
+    std::cout << plan_text(plan) << std::flush;
+  };
+  settings.on_progress = [&display](const Progress& progress) { display.show(progress); };
+  settings.stop_requested = [] { return interrupt() != 0; };
+
+  watch_interrupts();
+  RunSummary summary;
+  try {
+    summary = run(read.problem, settings);
+  } catch (...) {
+    display.close();
+    throw;
+  }
+  display.close();
+  if (!quiet) std::cout << summary_text(summary, settings.folder);
+  const bool stopped = interrupt() != 0 && summary.status != "completed";
+  return stopped ? exit_signal_base + interrupt() : exit_done;
+}
+
+int check_case(const Arguments& arguments) {
+  const ReadCase read = read_case_file(arguments.case_file, all_overrides(arguments));
+  if (!read.problem.title.empty()) std::cout << read.problem.title << '\n';
+  std::cout << check_text(plan(read.problem)) << "\nThe case with every default filled in:\n\n"
+            << write_problem(read.problem);
+  return exit_done;
+}
+
+int print_schema(const Arguments& arguments) {
+  std::cout << (arguments.markdown ? describe_case_file_in_markdown() : describe_case_file());
+  return exit_done;
+}
+
+void add_case_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("case", arguments.case_file, "the case file (TOML)")->required()->type_name("CASE");
+  verb.add_option("--threads", arguments.threads, "number of threads; 0: all cores")
+      ->check(CLI::Range(0, 65536))
+      ->type_name("N");
+  verb.add_option("--set", arguments.overrides, "overrides a key of the case, e.g. nonlocality.horizon_ratio=4")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+}
+
+int dispatch(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App program{"Peritherm: transient heat conduction with peridynamics", "peritherm"};
+  program.set_version_flag("--version", "peritherm " + std::string(version()));
+  program.require_subcommand(1);
+
+  CLI::App* run_verb = program.add_subcommand("run", "runs a case and writes its results");
+  add_case_options(*run_verb, arguments);
+  run_verb->add_option("--output", arguments.output, "folder of the results; default: results/NAME")->type_name("DIR");
+  run_verb->add_flag("--quiet", arguments.quiet, "prints nothing but errors");
+  run_verb->add_flag("--overwrite", arguments.overwrite, "replaces results that are there already");
+  CLI::App* check_verb =
+      program.add_subcommand("check", "reads and checks a case; prints its sizes and costs; runs nothing");
+  add_case_options(*check_verb, arguments);
+  CLI::App* schema_verb = program.add_subcommand("schema", "prints the reference of every key of a case file");
+  schema_verb->add_flag("--markdown", arguments.markdown, "as a Markdown page");
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& stop) {
+    if (stop.get_exit_code() == 0) return program.exit(stop);
+    std::cerr << "error: " << stop.what() << ". See peritherm --help\n";
+    return exit_input;
+  }
+  if (run_verb->parsed()) return run_case(arguments);
+  if (check_verb->parsed()) return check_case(arguments);
+  return print_schema(arguments);
+}
+
+}  // namespace
+}  // namespace peritherm::app
+
+int main(int argc, char** argv) {
+  using namespace peritherm;
+  try {
+    return app::dispatch(argc, argv);
+  } catch (const Error& error) {
+    std::cerr << app::error_text(error);
+    return static_cast<int>(error.fault());
+  } catch (const std::bad_alloc&) {
+    std::fputs("error: the memory of this machine does not suffice. Choose a larger spacing or a smaller horizon\n",
+               stderr);
+  } catch (const std::exception& error) {
+    std::cerr << "error: " << error.what() << '\n';
+  }
+  return app::exit_machine;
+}

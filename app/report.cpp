@@ -1,0 +1,75 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "text.hpp"
+
+namespace peritherm::app {
+namespace {
+
+std::string row(std::string_view name, const std::string& value) { return fmt::format("{:<22}{}\n", name, value); }
+
+std::string step_text(const Plan& plan) {
+  return plan.step > 0.0 ? quantity(plan.step, "s") : "chosen by error control";
+}
+
+std::string notes_text(const Plan& plan) {
+  std::string text;
+  for (const std::string& note : plan.notes) text += "note: " + note + '\n';
+  return text;
+}
+
+}  // namespace
+
+std::string plan_text(const Plan& plan) {
+  std::string text = fmt::format("{}-D, {}, {} ({} of them cut), horizon {} = {:.4g} spacings\n", plan.dimension,
+                                 counted(plan.points, "point", "points"), counted(plan.bonds, "bond", "bonds"),
+                                 grouped(plan.cut_bonds), quantity(plan.horizon, "m"), plan.horizon / plan.spacing);
+  text += fmt::format("{} backend, {}, stable step {}, step {}\n", plan.backend, plan.integrator,
+                      quantity(plan.stable_step, "s"), step_text(plan));
+  text += fmt::format("about {}, {:.3g} evaluations, {}\n", bytes_text(plan.memory_bytes), plan.evaluations,
+                      duration_text(plan.duration));
+  return text + notes_text(plan);
+}
+
+std::string check_text(const Plan& plan) {
+  std::string text;
+  text += row("dimension", std::to_string(plan.dimension));
+  text += row("points", grouped(plan.points));
+  text += row("spacing", quantity(plan.spacing, "m"));
+  text += row("horizon", fmt::format("{} = {:.4g} spacings", quantity(plan.horizon, "m"), plan.horizon / plan.spacing));
+  text += row("bonds", grouped(plan.bonds));
+  text += row("cut bonds", grouped(plan.cut_bonds) + " at the end");
+  text += row("backend", plan.backend);
+  text += row("integrator", plan.integrator);
+  text += row("memory", "about " + bytes_text(plan.memory_bytes));
+  text += row("stable step", quantity(plan.stable_step, "s"));
+  text += row("step", step_text(plan));
+  text += row("expected evaluations", fmt::format("about {:.3g}", plan.evaluations));
+  text += row("expected duration", duration_text(plan.duration));
+  return text + notes_text(plan);
+}
+
+std::string summary_text(const RunSummary& summary, const std::filesystem::path& folder) {
+  const auto evaluations = static_cast<double>(summary.count.evaluations);
+  std::string text = fmt::format(
+      "{} at {} after {}: {}, {}, {:.4g} evaluations/s\n", summary.status, quantity(summary.end_time, "s"),
+      duration_text(summary.wall), counted(static_cast<std::size_t>(summary.count.accepted), "step", "steps"),
+      counted(static_cast<std::size_t>(summary.count.evaluations), "evaluation", "evaluations"),
+      summary.wall > 0.0 ? evaluations / summary.wall : 0.0);
+  text += fmt::format("energy residual {:.2g} of the heat exchanged, peak memory {}\n",
+                      summary.energy_relative_residual, bytes_text(summary.peak_memory_bytes));
+  text += fmt::format("written to {}:\n", path_text(folder));
+  for (const std::string& line : summarised_files(summary.files)) text += "  " + line + '\n';
+  return text;
+}
+
+std::string error_text(const Error& error) {
+  std::string text;
+  for (const Issue& issue : error.issues()) text += "error: " + to_string(issue) + '\n';
+  return text;
+}
+
+}  // namespace peritherm::app

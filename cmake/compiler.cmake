@@ -1,0 +1,20 @@
+# What every target of this project is compiled with.
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  find_program(CCACHE ccache)
+  if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  endif()
+endif()
+
+add_library(peritherm_options INTERFACE)
+target_compile_features(peritherm_options INTERFACE cxx_std_20)
+target_compile_options(peritherm_options INTERFACE -Wall -Wextra -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC 12 sees overlapping copies in plain string concatenations (GCC bug 105651).
+  target_compile_options(peritherm_options INTERFACE -Wno-restrict)
+endif()
+if(PERITHERM_WARNINGS_AS_ERRORS)
+  target_compile_options(peritherm_options INTERFACE -Werror)
+endif()

@@ -1,0 +1,44 @@
+# The library: every *.cpp of every room, without a list to keep.
+include(cmake/version.cmake)
+
+set(PERITHERM_ROOMS base geometry physics discretisation operators system integrators output simulation studies)
+set(sources)
+set(headers)
+foreach(room IN LISTS PERITHERM_ROOMS)
+  file(GLOB room_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/peritherm/${room}/*.cpp)
+  file(GLOB room_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/peritherm/${room}/*.hpp)
+  list(APPEND sources ${room_sources})
+  list(APPEND headers ${room_headers})
+endforeach()
+
+# Instruction sets: x86-64 takes the real files, every other processor their neighbours *_unavailable.cpp.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  list(FILTER sources EXCLUDE REGEX "_unavailable\\.cpp$")
+else()
+  list(FILTER sources EXCLUDE REGEX "_(avx2|avx512)\\.cpp$")
+endif()
+
+# Contraction to fused multiply-adds is allowed where it pays and nowhere else, so that all other code gives the same
+# bits on every processor.
+foreach(source IN LISTS sources)
+  set(flags -ffp-contract=off)
+  if(source MATCHES "/operators/stencil_kernel[^/]*\\.cpp$")
+    set(flags -ffp-contract=fast)
+  endif()
+  if(source MATCHES "_avx2\\.cpp$")
+    list(APPEND flags -mavx2 -mfma)
+  elseif(source MATCHES "_avx512\\.cpp$")
+    list(APPEND flags -mavx512f -mavx512vl -mavx512dq -mfma -mprefer-vector-width=512)
+  endif()
+  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${flags}")
+endforeach()
+
+add_library(peritherm ${sources} ${PROJECT_BINARY_DIR}/generated/version.cpp)
+add_library(peritherm::peritherm ALIAS peritherm)
+target_sources(peritherm PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
+target_compile_features(peritherm PUBLIC cxx_std_20)
+set_target_properties(peritherm PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_link_libraries(
+  peritherm
+  PRIVATE $<BUILD_INTERFACE:peritherm_options> $<BUILD_INTERFACE:peritherm_toml> OpenMP::OpenMP_CXX ZLIB::ZLIB fmt::fmt
+          nlohmann_json::nlohmann_json muparser::muparser PkgConfig::cairo)

@@ -1,0 +1,88 @@
+#include "peritherm/discretisation/body.hpp"
+
+#include <algorithm>
+
+namespace peritherm {
+
+MaterialIndex Body::material_at(const Point& x) const {
+  const double slack = 1e-9 * grid.spacing;
+  for (auto region = regions.rbegin(); region != regions.rend(); ++region) {
+    if (contains(region->shape, x, slack)) return region->material;
+  }
+  return background;
+}
+
+void Body::assign_materials() {
+  material_of.assign(grid.size(), background);
+  if (regions.empty()) return;
+#pragma omp parallel for schedule(static)
+  for (std::size_t n = 0; n < grid.size(); ++n) material_of[n] = material_at(grid.position(grid.index(n)));
+}
+
+bool Body::has_voids() const {
+  return std::find(material_of.begin(), material_of.end(), no_material) != material_of.end();
+}
+
+GridIndex Body::fold(GridIndex p) const {
+  const int shift = grid.placement == PointPlacement::boundary ? 0 : 1;
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const int last = grid.count(axis) - 1;
+    if (p[axis] < 0) p[axis] = -p[axis] - shift;
+    if (p[axis] > last) p[axis] = 2 * last - p[axis] + shift;
+  }
+  return p;
+}
+
+std::size_t Body::wall_place(Face face, const GridIndex& p) const {
+  const GridIndex inside = fold(p);
+  std::size_t place = 0;
+  for (int axis = 2; axis >= 0; --axis) {
+    if (axis == axis_of(face)) continue;
+    place = place * static_cast<std::size_t>(grid.count(axis)) + static_cast<std::size_t>(inside[axis]);
+  }
+  return place;
+}
+
+std::size_t Body::wall_places(Face face) const {
+  return grid.size() / static_cast<std::size_t>(grid.count(axis_of(face)));
+}
+
+int Body::boundary_at(Face face, const GridIndex& p) const {
+  const FaceWalls& wall = walls[static_cast<int>(face)];
+  return wall.boundary_of.empty() ? -1 : wall.boundary_of[wall_place(face, p)];
+}
+
+WallKind Body::wall_kind_at(Face face, const GridIndex& p) const {
+  if (walls[static_cast<int>(face)].open) return WallKind::open;
+  const int boundary = boundary_at(face, p);
+  return boundary < 0 ? WallKind::even : wall_kinds[boundary];
+}
+
+void Body::inspect_walls() {
+  for (FaceWalls& wall : walls) {
+    const auto held = [this](int boundary) { return boundary >= 0 && is_held(wall_kinds[boundary]); };
+    const auto count = std::count_if(wall.boundary_of.begin(), wall.boundary_of.end(), held);
+    wall.partly_held = !wall.open && count > 0 && count < static_cast<long>(wall.boundary_of.size());
+  }
+}
+
+MaterialIndex Body::material_of_extended(const GridIndex& p) const {
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    if (p[axis] < 0 && walls[2 * axis].open) return no_material;
+    if (p[axis] >= grid.count(axis) && walls[2 * axis + 1].open) return no_material;
+  }
+  return material_of[grid.number(fold(p))];
+}
+
+double Body::source_share(const GridIndex& p) const {
+  double share = 1.0;
+  if (grid.placement == PointPlacement::centres) return share;
+  const GridIndex inside = fold(p);
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    if (inside[axis] == 0 && walls[2 * axis].open) share *= 0.5;
+    if (inside[axis] == grid.cells[axis] && walls[2 * axis + 1].open) share *= 0.5;
+  }
+  return share;
+}
+
+}  // namespace peritherm

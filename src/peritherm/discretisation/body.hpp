@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "peritherm/discretisation/grid.hpp"
+#include "peritherm/geometry/crack.hpp"
+#include "peritherm/geometry/region.hpp"
+#include "peritherm/physics/interface.hpp"
+#include "peritherm/physics/material.hpp"
+
+namespace peritherm {
+
+/// What stands outside a place on a face of the box.
+enum class WallKind : std::uint8_t {
+  even,      ///< fictitious points mirror the body: insulated, flux, convection
+  odd,       ///< fictitious points mirror the body about the wall's temperature
+  constant,  ///< fictitious points have the wall's temperature
+  open       ///< nothing
+};
+constexpr bool is_held(WallKind kind) { return kind == WallKind::odd || kind == WallKind::constant; }
+
+/// One face: what stands outside each of its places.
+struct FaceWalls {
+  bool open = false;                     ///< nothing outside the whole face
+  std::vector<std::int16_t> boundary_of; ///< index of the boundary at each place, −1 for none; empty: none anywhere
+  bool partly_held = false;              ///< only some places are held; set by Body::inspect_walls
+};
+
+struct MaterialRegion {
+  Shape shape;
+  MaterialIndex material;
+};
+
+/// A body on a grid: which point is of which material, what cuts its bonds, what stands around it.
+struct Body {
+  Grid grid;
+  std::vector<Material> materials;
+  MaterialIndex background = 0;
+  std::vector<MaterialRegion> regions;     ///< later ones overwrite
+  std::vector<MaterialIndex> material_of;  ///< per point, x fastest; no_material where cut away
+  InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
+  std::vector<CrackSurface> cracks;
+  std::array<FaceWalls, 6> walls;
+  std::vector<WallKind> wall_kinds;        ///< per boundary index
+
+  /// Material of the box at a place inside it.
+  MaterialIndex material_at(const Point& x) const;
+  /// Fills material_of from background and regions.
+  void assign_materials();
+  bool has_voids() const;
+
+  /// The point of the box that a fictitious point mirrors (itself if inside).
+  GridIndex fold(GridIndex p) const;
+  /// Number of the place on a face that lies nearest to a point (fictitious ones are folded first).
+  std::size_t wall_place(Face face, const GridIndex& p) const;
+  std::size_t wall_places(Face face) const;
+  /// Boundary index at that place, −1 for none.
+  int boundary_at(Face face, const GridIndex& p) const;
+  WallKind wall_kind_at(Face face, const GridIndex& p) const;
+  /// Sets FaceWalls::partly_held; to be called when the walls are complete.
+  void inspect_walls();
+
+  /// Material of a point or of the point it mirrors; no_material beyond open faces.
+  MaterialIndex material_of_extended(const GridIndex& p) const;
+  /// Share of a cell with which a point counts as a neighbour: halves only on open faces, since mirrors complete
+  /// the cells of all others.
+  double source_share(const GridIndex& p) const;
+};
+
+}  // namespace peritherm

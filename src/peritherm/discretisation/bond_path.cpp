@@ -1,0 +1,124 @@
+#include "peritherm/discretisation/bond_path.hpp"
+
+#include <algorithm>
+
+namespace peritherm {
+namespace {
+
+Point between(const Point& a, const Point& b, double share) {
+  Point x;
+  for (int axis = 0; axis < 3; ++axis) x[axis] = a[axis] + share * (b[axis] - a[axis]);
+  return x;
+}
+
+}  // namespace
+
+BondTracer::BondTracer(const Body& body) : body_(body) {
+  for (int axis = 0; axis < body.grid.dimension; ++axis) {
+    lower_[axis] = body.grid.origin[axis];
+    upper_[axis] = body.grid.origin[axis] + body.grid.length(axis);
+  }
+  uniform_ = body.regions.empty();
+}
+
+/// Mirrors x by the reflections that bring `within` into the box.
+Point BondTracer::fold(const Point& x, const Point& within) const {
+  Point folded = x;
+  for (int axis = 0; axis < body_.grid.dimension; ++axis) {
+    if (within[axis] < lower_[axis]) folded[axis] = 2.0 * lower_[axis] - x[axis];
+    if (within[axis] > upper_[axis]) folded[axis] = 2.0 * upper_[axis] - x[axis];
+  }
+  return folded;
+}
+
+/// A fictitious point moves as the mirror image of the point that it mirrors.
+Point BondTracer::off_cracks(const Point& x) const {
+  const Point inside = fold(x, x);
+  Point shift{};
+  for (const CrackSurface& crack : body_.cracks) crack.nudge(inside, shift);
+  Point moved = x;
+  for (int axis = 0; axis < body_.grid.dimension; ++axis) {
+    const bool mirrored = x[axis] < lower_[axis] || x[axis] > upper_[axis];
+    moved[axis] += mirrored ? -shift[axis] : shift[axis];
+  }
+  return moved;
+}
+
+void BondTracer::cut_at_walls(const Point& a, const Point& b, std::vector<Piece>& pieces) const {
+  std::array<double, 8> shares;
+  int count = 0;
+  shares[count++] = 0.0;
+  for (int axis = 0; axis < body_.grid.dimension; ++axis) {
+    const double run = b[axis] - a[axis];
+    for (const double wall : {lower_[axis], upper_[axis]}) {
+      if ((a[axis] < wall) != (b[axis] < wall)) shares[count++] = std::clamp((wall - a[axis]) / run, 0.0, 1.0);
+    }
+  }
+  shares[count++] = 1.0;
+  std::sort(shares.begin(), shares.begin() + count);
+  pieces.clear();
+  for (int k = 0; k + 1 < count; ++k) {
+    if (shares[k + 1] <= shares[k]) continue;
+    const Point middle = between(a, b, 0.5 * (shares[k] + shares[k + 1]));
+    pieces.push_back({fold(between(a, b, shares[k]), middle), fold(between(a, b, shares[k + 1]), middle),
+                      shares[k + 1] - shares[k]});
+  }
+}
+
+double BondTracer::conductivity_along(const std::vector<Piece>& pieces, MaterialIndex a, MaterialIndex b) const {
+  thread_local std::vector<double> shares;
+  double resistance = 0.0;
+  for (const Piece& piece : pieces) {
+    shares.assign({0.0, 1.0});
+    for (const MaterialRegion& region : body_.regions) {
+      append_crossings(region.shape, piece.begin, piece.end, shares);
+    }
+    std::sort(shares.begin(), shares.end());
+    for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
+      const double length = shares[k + 1] - shares[k];
+      if (length < 1e-9) continue;
+      const MaterialIndex material =
+          body_.material_at(between(piece.begin, piece.end, 0.5 * (shares[k] + shares[k + 1])));
+      if (material == no_material) return 0.0;
+      resistance += piece.share * length / body_.materials[material].conductivity;
+    }
+  }
+  if (body_.interface == InterfaceRule::length_weighted_harmonic) return 1.0 / resistance;
+  return bond_conductivity(body_.interface, body_.materials[a].conductivity, body_.materials[b].conductivity);
+}
+
+void BondTracer::trace(Point a, MaterialIndex material_a, Point b, MaterialIndex material_b, BondPath& path) const {
+  thread_local std::vector<Piece> pieces;
+  path.crossings.clear();
+  path.conductivity = 0.0;
+  if (material_a == no_material || material_b == no_material) return;
+  if (b < a) {
+    std::swap(a, b);
+    std::swap(material_a, material_b);
+  }
+  path.conductivity = body_.materials[material_a].conductivity;
+  if (!body_.cracks.empty()) {
+    a = off_cracks(a);
+    b = off_cracks(b);
+  }
+  if (!uniform_ || !body_.cracks.empty()) cut_at_walls(a, b, pieces);
+  if (!uniform_) path.conductivity = conductivity_along(pieces, material_a, material_b);
+  for (const CrackSurface& crack : body_.cracks) {
+    for (const Piece& piece : pieces) {
+      const auto time = crack.crossing_time(piece.begin, piece.end);
+      if (time) path.crossings.push_back({*time, crack.transmission(), crack.changes_in_time()});
+    }
+  }
+  std::stable_sort(path.crossings.begin(), path.crossings.end(),
+                   [](const Crossing& first, const Crossing& second) { return first.time < second.time; });
+}
+
+double standing_share(const BondPath& path) {
+  double share = 1.0;
+  for (const Crossing& crossing : path.crossings) {
+    if (!crossing.in_time) share *= crossing.transmission;
+  }
+  return share;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,85 @@
+#include "peritherm/discretisation/bonds.hpp"
+
+#include <cmath>
+
+#include "peritherm/discretisation/neighbours.hpp"
+
+namespace peritherm {
+namespace {
+
+double distance_between(const Point& a, const Point& b) {
+  return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
+}
+
+}  // namespace
+
+Bonds make_bonds(const Points& points, const StencilOptions& options, double calibration, const BondTracer& tracer,
+                 const std::function<std::size_t(std::size_t, std::size_t)>& partner) {
+  const Neighbours pairs = find_neighbours(points, reach(options.partial_volumes, options.horizon, points.spacing));
+  const double cell = std::pow(points.spacing, points.dimension);
+  Bonds bonds;
+  bonds.row_begin.push_back(0);
+  BondPath path;
+  for (std::size_t i = 0; i < points.owned; ++i) {
+    for (BondIndex b = pairs.row_begin[i]; b < pairs.row_begin[i + 1]; ++b) {
+      const auto j = static_cast<std::size_t>(pairs.points[b]);
+      const double distance = distance_between(points.positions[i], points.positions[j]);
+      const double unit = calibration * cell_conductance(options, distance, points.spacing, points.dimension) *
+                          (points.volumes[i] / cell) * (points.source_volumes[j] / cell);
+      if (unit == 0.0) continue;
+      tracer.trace(points.positions[i], points.materials[i], points.positions[j], points.materials[j], path);
+      const double full = unit * path.conductivity;
+      bonds.cuts.add(bonds.conductances.size(), 0.0, full, path);
+      bonds.neighbours.push_back(points.entries[partner ? partner(i, j) : j]);
+      bonds.conductances.push_back(full * standing_share(path));
+    }
+    bonds.row_begin.push_back(static_cast<BondIndex>(bonds.conductances.size()));
+  }
+  bonds.cuts.sort();
+  return bonds;
+}
+
+Points make_points(const Body& body, const PaddedGrid& layout) {
+  const Grid& grid = body.grid;
+  Points points;
+  points.dimension = grid.dimension;
+  points.spacing = grid.spacing;
+  const auto append = [&](const GridIndex& p) {
+    const MaterialIndex material = body.material_of_extended(p);
+    if (material == no_material) return;
+    points.positions.push_back(grid.position(p));
+    points.materials.push_back(material);
+    points.source_volumes.push_back(grid.cell_volume() * body.source_share(p));
+    points.entries.push_back(static_cast<std::int64_t>(layout.entry(p)));
+  };
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    const GridIndex p = grid.index(n);
+    const std::size_t before = points.size();
+    append(p);
+    if (points.size() > before) points.volumes.push_back(grid.cell_volume() * grid.volume_share(p));
+  }
+  points.owned = points.size();
+  const auto pad = [&](int axis) { return layout.padding(axis); };
+  for (int z = -pad(2); z < grid.count(2) + pad(2); ++z) {
+    for (int y = -pad(1); y < grid.count(1) + pad(1); ++y) {
+      for (int x = -pad(0); x < grid.count(0) + pad(0); ++x) {
+        if (!grid.contains({x, y, z})) append({x, y, z});
+      }
+    }
+  }
+  return points;
+}
+
+GridIndex partner_of(const Body& body, const GridIndex& i, const GridIndex& j) {
+  GridIndex partner = j;
+  const GridIndex folded = body.fold(j);
+  for (int axis = 0; axis < body.grid.dimension; ++axis) {
+    if (folded[axis] == j[axis]) continue;
+    const Face face = make_face(axis, j[axis] > folded[axis]);
+    if (!body.walls[static_cast<int>(face)].partly_held) continue;
+    if (is_held(body.wall_kind_at(face, j)) && !is_held(body.wall_kind_at(face, i))) partner[axis] = folded[axis];
+  }
+  return partner;
+}
+
+}  // namespace peritherm

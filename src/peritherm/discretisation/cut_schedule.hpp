@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "peritherm/base/field.hpp"
+#include "peritherm/discretisation/bond_path.hpp"
+
+namespace peritherm {
+
+/// Conductances that growing cracks lower at known times. Over a step each takes its mean (first Magnus term), so
+/// that results depend on the step only to second order.
+class CutSchedule {
+ public:
+  /// Bond `entry` has the conductance offset + full before its first crossing in time.
+  void add(std::size_t entry, double offset, double full, const BondPath& path);
+
+  /// To be called once after the last `add`.
+  void sort();
+
+  /// Sets the conductances to their means over [from, to]; those at `from` if both are equal. True if any changed.
+  bool average_over(double from, double to, Field conductances);
+
+  bool empty() const { return events_.empty(); }
+  std::size_t size() const { return events_.size(); }
+  /// Entries that change, ascending, each once.
+  std::vector<std::size_t> entries() const;
+  std::size_t bytes() const { return events_.capacity() * sizeof(Event); }
+
+ private:
+  struct Event {
+    double time;
+    double before, after;
+    std::size_t entry;
+  };
+  std::vector<Event> events_;
+  std::size_t settled_ = 0;  ///< events before this one are over
+  std::size_t touched_ = 0;  ///< events from here on have not acted
+};
+
+}  // namespace peritherm

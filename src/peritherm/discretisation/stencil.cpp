@@ -1,0 +1,152 @@
+#include "peritherm/discretisation/stencil.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "peritherm/base/error.hpp"
+#include "peritherm/base/text.hpp"
+
+namespace peritherm {
+namespace {
+
+double power(double base, int exponent) {
+  double result = 1.0;
+  for (int k = 0; k < exponent; ++k) result *= base;
+  return result;
+}
+
+int square_of(const GridIndex& o) { return o[0] * o[0] + o[1] * o[1] + o[2] * o[2]; }
+
+double conductance(const StencilOptions& options, double amplitude, double distance, double spacing, int dimension) {
+  const CoveredCell cell = covered_cell(options.partial_volumes, distance, options.horizon, spacing);
+  if (cell.share <= 0.0) return 0.0;
+  const double micro_conductivity = amplitude * shape(options.kernel, cell.kernel_distance / options.horizon) /
+                                    power(distance, options.kernel.exponent);
+  return micro_conductivity * cell.share * power(spacing, 2 * dimension);
+}
+
+/// Conductance of every offset by its squared length: equal lengths conduct alike to the last bit.
+std::vector<double> conductances_by_square(const StencilOptions& options, double spacing, int dimension, int limit) {
+  const double amplitude = micro_conductivity_amplitude(options.kernel, 1.0, options.horizon, dimension);
+  std::vector<double> table(static_cast<std::size_t>(limit) * limit * dimension + 1, 0.0);
+  for (std::size_t square = 1; square < table.size(); ++square) {
+    const double distance = std::sqrt(static_cast<double>(square)) * spacing;
+    table[square] = conductance(options, amplitude, distance, spacing, dimension);
+  }
+  return table;
+}
+
+[[noreturn]] void refuse(double horizon, double spacing) {
+  throw Error("horizon " + shortest(horizon) + " m reaches no neighbour",
+              "Choose a horizon larger than the spacing, " + shortest(spacing) + " m, or smaller cells");
+}
+
+/// Σ over the offsets that differ in signs only, so that products of cosines stand for them; x fastest.
+std::vector<double> folded(const Stencil& stencil, const GridIndex& counts) {
+  std::vector<double> sums(static_cast<std::size_t>(counts[0]) * counts[1] * counts[2], 0.0);
+  for (const StencilEntry& entry : stencil.entries) {
+    const auto [x, y, z] = entry.offset;
+    sums[std::abs(x) + static_cast<std::size_t>(counts[0]) * (std::abs(y) + counts[1] * std::abs(z))] +=
+        entry.conductance;
+  }
+  return sums;
+}
+
+/// Σ_o weights[o] cos(o π wave / waves) over the slowest axis of an array of `count` slices.
+std::vector<double> contract(const std::vector<double>& weights, int count, int wave, int waves) {
+  const std::size_t slice = weights.size() / count;
+  std::vector<double> sums(slice, 0.0);
+  for (int o = 0; o < count; ++o) {
+    const double cosine = std::cos(std::numbers::pi * o * wave / waves);
+    for (std::size_t k = 0; k < slice; ++k) sums[k] += cosine * weights[o * slice + k];
+  }
+  return sums;
+}
+
+/// Least value of Σ_o weights[o] cos(o k) over k = 0, π/waves, …, π.
+double least_cosine_sum(const std::vector<double>& weights, const std::vector<double>& cosines, int waves) {
+  const std::size_t columns = static_cast<std::size_t>(waves) + 1;
+  std::vector<double> sums(columns, 0.0);
+  for (std::size_t o = 0; o < weights.size(); ++o) {
+    for (std::size_t k = 0; k < columns; ++k) sums[k] += weights[o] * cosines[o * columns + k];
+  }
+  return *std::min_element(sums.begin(), sums.end());
+}
+
+/// cos(o π k / waves), k fastest.
+std::vector<double> cosine_table(int count, int waves) {
+  std::vector<double> table;
+  for (int o = 0; o < count; ++o) {
+    for (int k = 0; k <= waves; ++k) table.push_back(std::cos(std::numbers::pi * o * k / waves));
+  }
+  return table;
+}
+
+}  // namespace
+
+double cell_conductance(const StencilOptions& options, double distance, double spacing, int dimension) {
+  const double amplitude = micro_conductivity_amplitude(options.kernel, 1.0, options.horizon, dimension);
+  return conductance(options, amplitude, distance, spacing, dimension);
+}
+
+Stencil make_stencil(const StencilOptions& options, double spacing, int dimension) {
+  const int limit = static_cast<int>(reach(options.partial_volumes, options.horizon, spacing) / spacing + 1e-6);
+  const std::vector<double> conductances = conductances_by_square(options, spacing, dimension, limit);
+  const int limit_y = dimension > 1 ? limit : 0;
+  const int limit_z = dimension > 2 ? limit : 0;
+  Stencil stencil;
+  for (int z = -limit_z; z <= limit_z; ++z) {
+    for (int y = -limit_y; y <= limit_y; ++y) {
+      for (int x = -limit; x <= limit; ++x) {
+        const GridIndex offset{x, y, z};
+        const double value = conductances[square_of(offset)];
+        if (value <= 0.0) continue;
+        stencil.entries.push_back({offset, value});
+        stencil.radius = std::max({stencil.radius, x, y, z});
+      }
+    }
+  }
+  if (stencil.entries.empty()) refuse(options.horizon, spacing);
+  if (options.calibration == Calibration::discrete) {
+    const double factor = 1.0 / effective_conductivity(stencil, spacing, dimension);
+    for (StencilEntry& entry : stencil.entries) entry.conductance *= factor;
+  }
+  return stencil;
+}
+
+double effective_conductivity(const Stencil& stencil, double spacing, int dimension) {
+  double sum = 0.0;
+  for (const StencilEntry& entry : stencil.entries) {
+    sum += entry.conductance * (entry.offset[0] * entry.offset[0]);
+  }
+  return 0.5 * sum * spacing * spacing / power(spacing, dimension);
+}
+
+double largest_symbol(const Stencil& stencil, int dimension) {
+  double sum = 0.0;
+  double second_moment = 0.0;
+  for (const StencilEntry& entry : stencil.entries) {
+    sum += entry.conductance;
+    second_moment += entry.conductance * square_of(entry.offset);
+  }
+  // A maximum is at most half an interval h off a scanned wave vector along each axis, and by reflection symmetry
+  // the symbol's curvature there costs at most Σ_a (1/2)(h/2)² Σ G o_a² = (h²/8) Σ G |o|². The symbol's mean is Σ G.
+  constexpr double sharpness = 0.002;
+  const int waves = static_cast<int>(std::ceil(std::numbers::pi * std::sqrt(second_moment / (8.0 * sharpness * sum))));
+  const int count = stencil.radius + 1;
+  const GridIndex counts{count, dimension > 1 ? count : 1, dimension > 2 ? count : 1};
+  const std::vector<double> cosines = cosine_table(count, waves);
+  const std::vector<double> weights = folded(stencil, counts);
+  double least = sum;
+  for (int wave_z = 0; wave_z <= (dimension > 2 ? waves : 0); ++wave_z) {
+    const std::vector<double> plane = contract(weights, counts[2], wave_z, waves);
+    for (int wave_y = 0; wave_y <= (dimension > 1 ? waves : 0); ++wave_y) {
+      least = std::min(least, least_cosine_sum(contract(plane, counts[1], wave_y, waves), cosines, waves));
+    }
+  }
+  const double interval = std::numbers::pi / waves;
+  return sum - least + interval * interval / 8.0 * second_moment;
+}
+
+}  // namespace peritherm

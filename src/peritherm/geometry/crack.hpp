@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "peritherm/base/describe.hpp"
+#include "peritherm/base/field.hpp"
+
+namespace peritherm {
+
+/// Circular crack in 3-D.
+struct Disc {
+  Coordinates centre;   ///< [m]
+  Coordinates normal;   ///< any length
+  double radius = 0.0;  ///< [m]
+  static constexpr auto options() {
+    return std::tuple{required("centre", &Disc::centre, "m", any_number, "centre"),
+                      required("normal", &Disc::normal, "", any_number, "normal of the crack plane, any length"),
+                      required("radius", &Disc::radius, "m", positive, "radius")};
+  }
+  bool operator==(const Disc&) const = default;
+};
+
+/// A surface that interrupts heat: a position in 1-D, a polyline in 2-D, a plane polygon or a disc in 3-D.
+struct Crack {
+  std::vector<Coordinates> points;  ///< 1-D: one, 2-D: two or more, 3-D: three or more corners in one plane [m]
+  std::optional<Disc> disc;         ///< instead of points
+  double transmission = 0.0;        ///< α: share of its conductance that a cut bond keeps
+  double start_time = 0.0;          ///< when it appears or begins to grow [s]
+  std::optional<double> tip_speed;  ///< speed of the tip along the polyline, or of the front [m/s]
+
+  static constexpr auto options() {
+    return std::tuple{
+        optional("points", &Crack::points, "m", any_number,
+                 "1-D: one position; 2-D: polyline; 3-D: corners of a plane polygon"),
+        optional("disc", &Crack::disc, "3-D: a circular (penny-shaped) crack, instead of points"),
+        optional("transmission", &Crack::transmission, "", zero_to_one,
+                 "share of its conductance that a cut bond keeps; 0: insulated"),
+        optional("start_time", &Crack::start_time, "s", not_negative, "when the crack appears or begins to grow"),
+        optional("tip_speed", &Crack::tip_speed, "m/s", positive,
+                 "growth from the first point (2-D), the first edge (3-D polygon) or the centre (disc); left out: "
+                 "the whole crack at once")};
+  }
+  bool operator==(const Crack&) const = default;
+};
+
+/// What is wrong with the crack in a body of this dimension; empty if nothing is.
+std::string find_fault(const Crack& crack, int dimension);
+
+/// A crack made ready for many questions. Points on the crack belong to its left side (2-D, looking from the
+/// first to the last point), to the side the normal points to (3-D), to the right (1-D). A bond that passes exactly
+/// through a tip (2-D) is left whole, one through a corner is cut.
+class CrackSurface {
+ public:
+  CrackSurface(const Crack& crack, int dimension, double spacing);
+
+  /// When the crack has passed the place where it crosses the bond a–b [s]; none if it never does.
+  /// The end points must have been moved off the crack by `nudge`.
+  std::optional<double> crossing_time(const Point& a, const Point& b) const;
+
+  /// Adds to `shift` what moves a point that lies on the crack off it, to its own side.
+  void nudge(const Point& point, Point& shift) const;
+
+  /// Lower and upper corner of a box around the crack.
+  std::array<Point, 2> bounds() const;
+
+  /// Boxes (lower and upper corner) that cover the crack, each about `length` wide; to find what is near it.
+  std::vector<std::array<Point, 2>> pieces(double length) const;
+
+  /// Straight pieces (2-D) or one polygon (3-D) of the part that exists at a time; for pictures.
+  std::vector<std::vector<Point>> outline(double time) const;
+
+  double transmission() const { return transmission_; }
+  /// True if bonds are cut after the start of the run.
+  bool changes_in_time() const { return tip_speed_ > 0.0 || start_time_ > 0.0; }
+
+ private:
+  std::optional<double> crossing_time_2d(const Point& a, const Point& b) const;
+  std::optional<double> crossing_time_3d(const Point& a, const Point& b) const;
+  bool contains(const Point& x) const;
+  std::array<double, 2> in_plane(const Point& x) const;
+  double time_after(double length) const;
+
+  int dimension_;
+  double tolerance_;  ///< distance below which a point lies on the crack [m]
+  double transmission_;
+  double start_time_;
+  double tip_speed_ = 0.0;                            ///< 0: all at once
+  std::vector<Point> points_;                         ///< corners; of a disc: its centre only
+  bool closed_ = false;        ///< 2-D: the last point is the first
+  std::vector<double> arc_;                           ///< 2-D: length from the first point to each corner
+  double radius_ = 0.0;                               ///< of a disc
+  Point lower_{}, upper_{};                           ///< corners of a box around the crack
+  std::vector<std::array<double, 2>> plane_corners_;  ///< 3-D polygon: corners along along_ and across_ [m]
+  Point normal_{}, along_{}, across_{};  ///< 3-D: unit vectors; along_ = first edge, across_ = into the polygon
+};
+
+}  // namespace peritherm

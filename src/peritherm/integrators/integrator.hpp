@@ -1,0 +1,86 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "peritherm/base/describe.hpp"
+#include "peritherm/system/thermal_system.hpp"
+
+namespace peritherm {
+
+struct StepCount {
+  long accepted = 0;
+  long rejected = 0;
+  long evaluations = 0;  ///< of the rate
+};
+
+/// What a run knows after each accepted step. Returning false ends `advance` there.
+using AfterStep = std::function<bool(double time, ConstField temperature)>;
+
+/// Moves the temperature from one time to another; knows neither body nor files.
+class TimeIntegrator {
+ public:
+  virtual ~TimeIntegrator() = default;
+
+  /// Returns the time reached: `to`, unless `after_step` ended the march before.
+  virtual double advance(double from, double to, Field temperature, const AfterStep& after_step) = 0;
+
+  virtual StepCount count() const = 0;
+
+  /// Largest stable step of forward Euler or of the method itself, if it has one [s].
+  virtual double stable_step() const = 0;
+};
+
+/// dT/dt evaluated once per step; first order.
+struct ForwardEuler {
+  std::optional<double> step;  ///< [s]; none: safety times the stable step
+  double safety = 0.9;
+  static constexpr std::string_view name = "euler";
+  static constexpr std::string_view help = "forward Euler, first order";
+  static constexpr auto options() {
+    return std::tuple{
+        optional("step", &ForwardEuler::step, "s", positive, "time step; default: safety times the stable step"),
+        optional("safety", &ForwardEuler::safety, "", zero_to_one, "share of the stable step, if no step is given")};
+  }
+  bool operator==(const ForwardEuler&) const = default;
+};
+
+/// The classical four-stage Runge-Kutta method; fourth order.
+struct RungeKutta4 {
+  std::optional<double> step;  ///< [s]; none: safety times the stable step
+  double safety = 0.9;
+  static constexpr std::string_view name = "rk4";
+  static constexpr std::string_view help = "classical Runge-Kutta, fourth order";
+  static constexpr auto options() {
+    return std::tuple{
+        optional("step", &RungeKutta4::step, "s", positive, "time step; default: safety times the stable step"),
+        optional("safety", &RungeKutta4::safety, "", zero_to_one, "share of the stable step, if no step is given")};
+  }
+  bool operator==(const RungeKutta4&) const = default;
+};
+
+/// Runge-Kutta-Legendre method of second order with error control: s² stability from s stages.
+struct RungeKuttaLegendre {
+  double relative_tolerance = 1e-5;  ///< error per step over the span of temperatures
+  static constexpr std::string_view name = "rkl2";
+  static constexpr std::string_view help = "adaptive Runge-Kutta-Legendre, second order, stable at large steps";
+  static constexpr auto options() {
+    return std::tuple{optional("relative_tolerance", &RungeKuttaLegendre::relative_tolerance, "",
+                               Check{[](double v) { return v >= 1e-12 && v <= 0.1; }, "must lie between 1e-12 and 0.1"},
+                               "error per step (rms), relative to the span of temperatures")};
+  }
+  bool operator==(const RungeKuttaLegendre&) const = default;
+};
+
+using TimeStepping = std::variant<RungeKuttaLegendre, RungeKutta4, ForwardEuler>;  ///< the list
+
+std::unique_ptr<TimeIntegrator> make_integrator(const ForwardEuler& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const RungeKutta4& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const RungeKuttaLegendre& options, ThermalSystem& system);
+inline std::unique_ptr<TimeIntegrator> make_integrator(const TimeStepping& options, ThermalSystem& system) {
+  return std::visit([&](const auto& chosen) { return make_integrator(chosen, system); }, options);
+}
+
+}  // namespace peritherm

@@ -1,0 +1,70 @@
+#include "peritherm/output/csv.hpp"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "peritherm/base/file.hpp"
+
+namespace peritherm {
+namespace {
+
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
+  std::string text = "\"";
+  for (const char letter : name) {
+    if (letter == '"') text += '"';
+    text += letter;
+  }
+  return text + '"';
+}
+
+}  // namespace
+
+std::string exact_text(double value) {
+  if (std::isnan(value)) return "nan";
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+CsvTable::CsvTable(std::filesystem::path path, const std::vector<std::string>& columns) : path_(std::move(path)) {
+  for (const std::string& column : columns) {
+    header_ += quoted(column);
+    header_ += ',';
+  }
+  header_.back() = '\n';
+}
+
+void CsvTable::append(std::span<const double> row) {
+  std::string lines = started() ? "" : header_;
+  for (const double value : row) {
+    lines += exact_text(value);
+    lines += ',';
+  }
+  lines.back() = '\n';
+  write(lines);
+}
+
+void CsvTable::write(std::string_view lines) {
+  errno = 0;
+  if (!started()) out_.open(path_, std::ios::binary | std::ios::trunc);
+  out_.write(lines.data(), static_cast<std::streamsize>(lines.size()));
+  out_.flush();
+  if (out_.is_open() && out_.good()) {
+    length_ += lines.size();
+    return;
+  }
+  const int reason = errno;
+  const bool opened = out_.is_open();
+  // Closing first: the buffer must not be written again after the file has been cut.
+  out_.close();
+  std::error_code ignored;
+  if (opened) std::filesystem::resize_file(path_, length_, ignored);
+  throw file_error(path_, reason);
+}
+
+}  // namespace peritherm

@@ -1,0 +1,65 @@
+#include "peritherm/output/interpolation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace peritherm {
+namespace {
+
+/// The cell of points around a place.
+struct Cell {
+  GridIndex first{};  ///< corner with the lowest indices
+  Point fraction{};   ///< place in the cell, 0 to 1 between the points, beyond outside them; 0 along single layers
+  GridIndex extent{1, 1, 1};
+};
+
+Cell find_cell(const Grid& grid, const Point& place) {
+  // Places that stand on points to rounding count as such, so that nearest points are not a matter of luck.
+  constexpr double slack = 1e-9;
+  Cell cell;
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    if (grid.count(axis) < 2) continue;
+    double layers = (place[axis] - grid.origin[axis]) / grid.spacing - grid.first_depth();
+    if (std::abs(layers - std::round(layers)) < slack) layers = std::round(layers);
+    cell.first[axis] = std::clamp(static_cast<int>(std::floor(layers)), 0, grid.count(axis) - 2);
+    cell.fraction[axis] = layers - cell.first[axis];
+    cell.extent[axis] = 2;
+  }
+  return cell;
+}
+
+}  // namespace
+
+double interpolate(const Grid& grid, ConstField field, const Point& place) {
+  const Cell cell = find_cell(grid, place);
+  double sum = 0.0;
+  double nearest = std::numeric_limits<double>::quiet_NaN();
+  double shortest = std::numeric_limits<double>::infinity();
+  bool complete = true;
+  for (int corner = 0; corner < 8; ++corner) {
+    GridIndex p = cell.first;
+    double weight = 1.0;
+    double distance = 0.0;
+    bool exists = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int step = corner >> axis & 1;
+      exists = exists && step < cell.extent[axis];
+      p[axis] += step;
+      if (cell.extent[axis] == 2) weight *= step == 1 ? cell.fraction[axis] : 1.0 - cell.fraction[axis];
+      distance += (cell.fraction[axis] - step) * (cell.fraction[axis] - step);
+    }
+    if (!exists) continue;
+    const double value = field[grid.number(p)];
+    if (!std::isnan(value) && distance < shortest) {
+      shortest = distance;
+      nearest = value;
+    }
+    if (weight == 0.0) continue;
+    if (std::isnan(value)) complete = false;
+    sum += weight * value;
+  }
+  return complete ? sum : nearest;
+}
+
+}  // namespace peritherm

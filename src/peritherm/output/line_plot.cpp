@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+
+#include "peritherm/output/figure.hpp"
+
+namespace peritherm {
+namespace {
+
+constexpr Colour curve_colour = colour_of(0x1d4e9e);
+constexpr Colour grid_colour = colour_of(0xe3e3e3);
+
+/// From values to pixels.
+struct Scales {
+  Rectangle plot;
+  Axis x;
+  Axis y;
+  Place operator()(double place, double value) const {
+    return {plot.left + (place - x.low) / (x.high - x.low) * plot.width,
+            plot.bottom() - (value - y.low) / (y.high - y.low) * plot.height};
+  }
+};
+
+bool cracked_between(const Section& section, double a, double b) {
+  // Points on a crack belong to its right.
+  return std::any_of(section.cracks.begin(), section.cracks.end(),
+                     [&](const Line& crack) { return crack.size() == 1 && crack[0].x > a && crack[0].x <= b; });
+}
+
+/// Pieces of the curve between cracks and cut-away parts.
+std::vector<Line> curve_pieces(const Section& section, const Scales& scales) {
+  std::vector<Line> pieces(1);
+  for (std::size_t i = 0; i < section.x.size(); ++i) {
+    const bool missing = std::isnan(section.values[i]);
+    const bool parted = i > 0 && cracked_between(section, section.x[i - 1], section.x[i]);
+    if ((missing || parted) && !pieces.back().empty()) pieces.emplace_back();
+    if (!missing) pieces.back().push_back(scales(section.x[i], section.values[i]));
+  }
+  return pieces;
+}
+
+void draw_background(Canvas& canvas, const Section& section, const Scales& scales, double line) {
+  const Rectangle& plot = scales.plot;
+  std::vector<Line> grid;
+  for (const Tick& tick : scales.x.ticks) {
+    const double at = scales(tick.value, scales.y.low).x;
+    grid.push_back({{at, plot.top}, {at, plot.bottom()}});
+  }
+  for (const Tick& tick : scales.y.ticks) {
+    const double at = scales(scales.x.low, tick.value).y;
+    grid.push_back({{plot.left, at}, {plot.right(), at}});
+  }
+  canvas.lines(grid, {grid_colour, line, false, true});
+  for (std::size_t i = 0; i < section.x.size(); ++i) {
+    if (!std::isnan(section.values[i])) continue;
+    const double left = scales(std::max(section.x[i] - 0.5 * section.spacing, scales.x.low), 0.0).x;
+    const double right = scales(std::min(section.x[i] + 0.5 * section.spacing, scales.x.high), 0.0).x;
+    canvas.fill(Rectangle{left, plot.top, right - left, plot.height}, colour_of(0xdddddd));
+  }
+}
+
+void draw_curve(Canvas& canvas, const Section& section, const Scales& scales, const FigureSizes& sizes) {
+  const Rectangle& plot = scales.plot;
+  const std::vector<Line> pieces = curve_pieces(section, scales);
+  canvas.lines(pieces, {curve_colour, 2.6 * sizes.scale});
+  // Points are shown where they can be told apart.
+  const bool few = static_cast<double>(section.x.size()) * 14.0 * sizes.scale < plot.width;
+  for (const Line& piece : pieces) {
+    std::vector<Line> dots;
+    for (const Place& place : piece) dots.push_back({place, place});
+    if (few || piece.size() == 1) canvas.lines(dots, {curve_colour, 7.0 * sizes.scale});
+  }
+  std::vector<Line> cracks;
+  for (const Line& crack : section.cracks) {
+    const double at = scales(crack.front().x, 0.0).x;
+    cracks.push_back({{at, plot.top}, {at, plot.bottom()}});
+  }
+  canvas.lines(cracks, {colour_of(0x000000), 2.0 * sizes.scale, true, true});
+}
+
+}  // namespace
+
+Canvas draw_line_plot(const Snapshot& snapshot, const Section& section, const PictureOutput& options) {
+  const FigureSizes sizes(options.width);
+  ValueRange range = find_range(section.values, options);
+  if (!options.range) {
+    const double room = 0.06 * (range.high - range.low);
+    range = {range.low - (range.low == 0.0 ? 0.0 : room), range.high + room};
+  }
+  Axis y = value_axis(options.field, range.low, range.high, 6);
+  const double length = section.x.back() - section.x.front();
+  Axis x = length_axis(section.x_name, section.x.front(), section.x.back(), length, 8);
+  const double pad = 2.0 * sizes.gap;
+  const double left = left_margin(y, sizes);
+  const double width = options.width - left - pad - 0.5 * widest_tick(x, sizes);
+  const Heading heading = make_heading(snapshot, section, width, sizes);
+  const Rectangle plot{std::round(left), std::round(pad + heading.height), std::round(width),
+                       std::max(120.0, std::round(0.5 * width))};
+  Canvas canvas(options.width, static_cast<int>(plot.bottom() + bottom_margin(sizes)));
+  const Scales scales{plot, std::move(x), std::move(y)};
+  draw_heading(canvas, heading, plot.left, plot.right(), pad);
+  draw_background(canvas, section, scales, sizes.line);
+  canvas.clip(plot);
+  draw_curve(canvas, section, scales, sizes);
+  canvas.release();
+  draw_frame(canvas, plot, scales.x, scales.y, sizes);
+  return canvas;
+}
+
+}  // namespace peritherm

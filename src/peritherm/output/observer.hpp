@@ -1,0 +1,137 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "peritherm/base/describe.hpp"
+#include "peritherm/base/field.hpp"
+#include "peritherm/discretisation/grid.hpp"
+
+namespace peritherm {
+
+/// Heat that has entered through one boundary (or from sources) since the start.
+struct HeatAccount {
+  std::string name;       ///< "y_max temperature", "source", …
+  double heat = 0.0;      ///< since the start [J]
+  double heat_rate = 0.0; ///< now [W]
+};
+
+/// What an observer may see, valid during the call. Fields have one entry per grid point, x fastest; points that
+/// were cut away hold NaN.
+struct Snapshot {
+  double time = 0.0;  ///< [s]
+  const Grid& grid;
+  std::string title;
+  ConstField temperature;                                   ///< [K] or [°C], held points included
+  std::span<const std::uint8_t> materials;                  ///< no_material (255) where cut away
+  std::vector<std::string> material_names;
+  std::function<std::vector<Point>()> heat_flux;            ///< [W/m²]; computed when asked for
+  std::function<std::vector<double>()> damage;              ///< share of cut bonds, 0 to 1; computed when asked for
+  std::vector<std::vector<Point>> cracks;                   ///< outlines now: polylines, in 3-D closed polygons
+  double stored_heat = 0.0;                                 ///< Σ C T over the free points [J]
+  std::vector<HeatAccount> accounts;
+};
+
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void observe(const Snapshot& snapshot) = 0;
+  /// Files written so far, for the closing report.
+  virtual std::vector<std::filesystem::path> files() const = 0;
+};
+
+/// What a picture or a ParaView file shows.
+enum class FieldName { temperature, heat_flux, damage, material };
+
+template <>
+struct EnumNames<FieldName> {
+  static constexpr std::array<std::pair<FieldName, std::string_view>, 4> values{
+      {{FieldName::temperature, "temperature"},
+       {FieldName::heat_flux, "heat_flux"},
+       {FieldName::damage, "damage"},
+       {FieldName::material, "material"}}};
+};
+
+enum class AxisName { x, y, z };
+
+template <>
+struct EnumNames<AxisName> {
+  static constexpr std::array<std::pair<AxisName, std::string_view>, 3> values{
+      {{AxisName::x, "x"}, {AxisName::y, "y"}, {AxisName::z, "z"}}};
+};
+
+/// fields.pvd and fields/*.vti, which ParaView opens.
+struct VtkOutput {
+  std::vector<FieldName> fields{FieldName::temperature, FieldName::heat_flux, FieldName::damage, FieldName::material};
+  static constexpr std::string_view name = "vtk";
+  static constexpr std::string_view help = "fields.pvd with fields/*.vti for ParaView";
+  static constexpr auto options() {
+    return std::tuple{optional("fields", &VtkOutput::fields, "which fields to write")};
+  }
+  bool operator==(const VtkOutput&) const = default;
+};
+
+/// pictures/*.png with axes, colour bar, time and cracks.
+struct PictureOutput {
+  FieldName field = FieldName::temperature;
+  std::optional<Coordinates> range;  ///< lowest and highest value of the colour bar; none: those of the field
+  int width = 1000;                  ///< [pixels]
+  int isotherms = 11;                ///< number of lines of equal temperature; 0: none
+  AxisName normal = AxisName::z;     ///< 3-D: direction across the slice
+  std::optional<double> at;          ///< 3-D: place of the slice along it [m]; none: the middle
+  static constexpr std::string_view name = "picture";
+  static constexpr std::string_view help = "pictures/*.png with axes, colour bar, time and cracks";
+  static constexpr auto options() {
+    return std::tuple{
+        optional("field", &PictureOutput::field, "what to show; heat_flux shows its magnitude"),
+        optional("range", &PictureOutput::range, "", any_number,
+                 "lowest and highest value of the colour bar; default: those of the field"),
+        optional("width", &PictureOutput::width, "",
+                 Check{[](double v) { return v >= 200 && v <= 8000; }, "must lie between 200 and 8000"},
+                 "width in pixels"),
+        optional("isotherms", &PictureOutput::isotherms, "",
+                 Check{[](double v) { return v >= 0 && v <= 200; }, "must lie between 0 and 200"},
+                 "number of lines of equal value; 0: none"),
+        optional("normal", &PictureOutput::normal, "3-D: the direction across the slice"),
+        optional("at", &PictureOutput::at, "m", any_number, "3-D: place of the slice; default: the middle")};
+  }
+  bool operator==(const PictureOutput&) const = default;
+};
+
+/// One column of probes.csv.
+struct ProbeOutput {
+  std::string column;  ///< heading
+  Coordinates at;      ///< [m]
+  static constexpr std::string_view name = "probe";
+  static constexpr std::string_view help = "a column of probes.csv: the temperature at a place, over time";
+  static constexpr auto options() {
+    return std::tuple{required("name", &ProbeOutput::column, "heading of the column"),
+                      required("at", &ProbeOutput::at, "m", any_number,
+                               "place; linear interpolation between points")};
+  }
+  bool operator==(const ProbeOutput&) const = default;
+};
+
+/// energy.csv: stored heat, heat through every boundary, residual.
+struct EnergyOutput {
+  static constexpr std::string_view name = "energy";
+  static constexpr std::string_view help = "energy.csv: stored heat, heat through every boundary, residual";
+  static constexpr auto options() { return std::tuple{}; }
+  bool operator==(const EnergyOutput&) const = default;
+};
+
+using OutputKind = std::variant<VtkOutput, PictureOutput, ProbeOutput, EnergyOutput>;  ///< the list
+
+std::unique_ptr<Observer> make_observer(const VtkOutput& options, const std::filesystem::path& folder);
+std::unique_ptr<Observer> make_observer(const PictureOutput& options, const std::filesystem::path& folder);
+std::unique_ptr<Observer> make_observer(const EnergyOutput& options, const std::filesystem::path& folder);
+/// All probes share one file and one observer; every row holds all of them.
+std::unique_ptr<Observer> make_probe_observer(const std::vector<ProbeOutput>& probes,
+                                              const std::filesystem::path& folder);
+
+}  // namespace peritherm

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "peritherm/base/describe.hpp"
+#include "peritherm/physics/profile.hpp"
+
+namespace peritherm {
+
+/// Where a held temperature is imposed.
+enum class Imposed {
+  mirror,    ///< on mirrored fictitious points outside: T = 2 T_wall − T_mirror; second order
+  constant,  ///< on fictitious points outside that all have the wall's temperature; first order
+  inner      ///< on a layer of points inside, nothing outside
+};
+
+template <>
+struct EnumNames<Imposed> {
+  static constexpr std::array<std::pair<Imposed, std::string_view>, 3> values{
+      {{Imposed::mirror, "mirror"}, {Imposed::constant, "constant"}, {Imposed::inner, "inner"}}};
+};
+
+/// What stands outside an insulated face.
+enum class Outside {
+  mirror,  ///< mirrored fictitious points: T = T_mirror; second order
+  natural  ///< nothing
+};
+
+template <>
+struct EnumNames<Outside> {
+  static constexpr std::array<std::pair<Outside, std::string_view>, 2> values{
+      {{Outside::mirror, "mirror"}, {Outside::natural, "natural"}}};
+};
+
+struct HeldTemperature {
+  Profile value;                      ///< [K] or [°C]
+  Imposed imposed = Imposed::mirror;  ///< on faces; a selected set of points is held itself
+  std::optional<double> thickness;    ///< of the inner layer [m]; none: one horizon
+  static constexpr std::string_view name = "temperature";
+  static constexpr std::string_view help = "held temperature";
+  static constexpr auto options() {
+    return std::tuple{
+        required("value", &HeldTemperature::value, "K", any_number, "temperature, number or expression"),
+        optional("imposed", &HeldTemperature::imposed,
+                 "on a face: fictitious points outside (mirror, constant) or points inside (inner)"),
+        optional("thickness", &HeldTemperature::thickness, "m", positive,
+                 "depth of the layer that imposed = \"inner\" holds; default: one horizon")};
+  }
+  bool operator==(const HeldTemperature&) const = default;
+};
+
+struct Insulated {
+  Outside imposed = Outside::mirror;
+  static constexpr std::string_view name = "insulated";
+  static constexpr std::string_view help = "no heat passes (what faces without a [[boundary]] are)";
+  static constexpr auto options() {
+    return std::tuple{optional("imposed", &Insulated::imposed,
+                               "mirrored fictitious points outside, or nothing (natural)")};
+  }
+  bool operator==(const Insulated&) const = default;
+};
+
+/// Heat flux into the body, q [W/m²].
+struct PrescribedFlux {
+  Profile value;
+  static constexpr std::string_view name = "flux";
+  static constexpr std::string_view help = "prescribed heat flux, positive into the body";
+  static constexpr auto options() {
+    return std::tuple{required("value", &PrescribedFlux::value, "W/m^2", any_number,
+                               "heat flux into the body, number or expression")};
+  }
+  bool operator==(const PrescribedFlux&) const = default;
+};
+
+/// Newton's law q = h (T∞ − T) at the surface.
+struct Convection {
+  double coefficient = 0.0;  ///< h [W/(m² K)]
+  Profile ambient;           ///< T∞ [K] or [°C]
+  static constexpr std::string_view name = "convection";
+  static constexpr std::string_view help = "exchange with surroundings, q = h (T_ambient - T)";
+  static constexpr auto options() {
+    return std::tuple{
+        required("coefficient", &Convection::coefficient, "W/(m^2 K)", positive, "heat transfer coefficient h"),
+        required("ambient", &Convection::ambient, "K", any_number,
+                 "temperature of the surroundings, number or expression")};
+  }
+  bool operator==(const Convection&) const = default;
+};
+
+using BoundaryCondition = std::variant<HeldTemperature, Insulated, PrescribedFlux, Convection>;  ///< the list
+
+}  // namespace peritherm

@@ -1,0 +1,286 @@
+#include "peritherm/simulation/assemble.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "peritherm/simulation/check.hpp"
+
+namespace peritherm {
+namespace {
+
+std::map<std::string, MaterialIndex> add_materials(const Problem& problem, Geometry& geometry) {
+  std::map<std::string, MaterialIndex> numbers{{"void", no_material}};
+  for (const auto& [name, material] : problem.materials) {
+    numbers[name] = static_cast<MaterialIndex>(geometry.body.materials.size());
+    geometry.body.materials.push_back(material);
+    geometry.material_names.push_back(name);
+  }
+  return numbers;
+}
+
+std::string name_of_boundary(const BoundaryOptions& boundary, std::size_t number) {
+  const std::string type = std::visit([](const auto& condition) { return std::string(condition.name); }, boundary.condition);
+  const std::string place = boundary.face ? std::string(name_of(*boundary.face)) : "region " + std::to_string(number + 1);
+  return place + " " + type;
+}
+
+WallKind wall_kind(const BoundaryCondition& condition) {
+  const auto* held = std::get_if<HeldTemperature>(&condition);
+  if (held == nullptr || held->imposed == Imposed::inner) return WallKind::even;
+  return held->imposed == Imposed::mirror ? WallKind::odd : WallKind::constant;
+}
+
+/// Nothing stands outside a face that is insulated naturally, or held as a whole by a layer inside.
+bool is_open(const BoundaryOptions& boundary) {
+  if (boundary.where) return false;
+  const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
+  if (held != nullptr) return held->imposed == Imposed::inner;
+  const auto* insulated = std::get_if<Insulated>(&boundary.condition);
+  return insulated != nullptr && insulated->imposed == Outside::natural;
+}
+
+/// Calls visit(point) for the layer of points `depth` points below a face.
+template <class Visit>
+void for_layer(const Grid& grid, Face face, int depth, Visit&& visit) {
+  const int axis = axis_of(face);
+  GridIndex high{grid.count(0), grid.count(1), grid.count(2)};
+  GridIndex low{};
+  low[axis] = is_upper(face) ? grid.count(axis) - 1 - depth : depth;
+  high[axis] = low[axis] + 1;
+  for (int z = low[2]; z < high[2]; ++z) {
+    for (int y = low[1]; y < high[1]; ++y) {
+      for (int x = low[0]; x < high[0]; ++x) visit(GridIndex{x, y, z});
+    }
+  }
+}
+
+Point projection(const Grid& grid, Face face, const GridIndex& p) {
+  Point x = grid.position(p);
+  x[axis_of(face)] = grid.origin[axis_of(face)] + (is_upper(face) ? grid.length(axis_of(face)) : 0.0);
+  return x;
+}
+
+void place_on_face(const BoundaryOptions& boundary, std::size_t number, Body& body) {
+  FaceWalls& wall = body.walls[static_cast<int>(*boundary.face)];
+  wall.open = wall.open || is_open(boundary);
+  if (wall.boundary_of.empty()) wall.boundary_of.assign(body.wall_places(*boundary.face), -1);
+  const double slack = 1e-9 * body.grid.spacing;
+  for_layer(body.grid, *boundary.face, 0, [&](const GridIndex& p) {
+    if (boundary.where && !contains(*boundary.where, projection(body.grid, *boundary.face, p), slack)) return;
+    wall.boundary_of[body.wall_place(*boundary.face, p)] = static_cast<std::int16_t>(number);
+  });
+}
+
+/// Number of layers of points that a condition on a face holds: the wall's own for fictitious points outside.
+int held_layers(const HeldTemperature& held, const Grid& grid, double horizon) {
+  if (held.imposed != Imposed::inner) return grid.placement == PointPlacement::boundary ? 1 : 0;
+  const double depth = held.thickness.value_or(horizon) / grid.spacing - grid.first_depth();
+  return static_cast<int>(std::floor(depth + 1e-9)) + 1;
+}
+
+/// Where two faces meet, the later axis decides; a selected set of points goes before faces.
+void hold_points(const Problem& problem, Geometry& geometry) {
+  const Body& body = geometry.body;
+  std::vector<std::size_t> order(problem.boundaries.size());
+  for (std::size_t b = 0; b < order.size(); ++b) order[b] = b;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto rank = [&](std::size_t k) {
+      const auto& face = problem.boundaries[k].face;
+      return face ? axis_of(*face) : 3;
+    };
+    return rank(a) < rank(b);
+  });
+  geometry.held_by.assign(body.grid.size(), -1);
+  for (const std::size_t b : order) {
+    const BoundaryOptions& boundary = problem.boundaries[b];
+    const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
+    if (held == nullptr) continue;
+    const auto hold = [&](const GridIndex& p) {
+      const std::size_t n = body.grid.number(p);
+      if (body.material_of[n] != no_material) geometry.held_by[n] = static_cast<std::int16_t>(b);
+    };
+    if (boundary.face) {
+      const int layers = std::min(held_layers(*held, body.grid, geometry.stencil_options.horizon),
+                                  body.grid.count(axis_of(*boundary.face)));
+      for (int depth = 0; depth < layers; ++depth) {
+        for_layer(body.grid, *boundary.face, depth, [&](const GridIndex& p) {
+          if (body.boundary_at(*boundary.face, p) == static_cast<int>(b)) hold(p);
+        });
+      }
+    } else {
+      for (std::size_t n = 0; n < body.grid.size(); ++n) {
+        const GridIndex p = body.grid.index(n);
+        if (contains(*boundary.where, body.grid.position(p), 1e-9 * body.grid.spacing)) hold(p);
+      }
+    }
+  }
+}
+
+/// Entries of the points that may exchange heat with what a boundary holds.
+std::vector<std::int64_t> find_near_held(const Geometry& geometry, const BoundaryOptions& boundary, std::size_t number,
+                                         const PaddedGrid& layout) {
+  if (!std::holds_alternative<HeldTemperature>(boundary.condition)) return {};
+  const Grid& grid = geometry.body.grid;
+  const int radius = geometry.stencil.radius;
+  GridIndex low{grid.count(0), grid.count(1), grid.count(2)};
+  GridIndex high{-1, -1, -1};
+  const auto include = [&](const GridIndex& p) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis] - radius);
+      high[axis] = std::max(high[axis], p[axis] + radius);
+    }
+  };
+  if (boundary.face) for_layer(grid, *boundary.face, 0, include);
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    if (geometry.held_by[n] == static_cast<std::int16_t>(number)) include(grid.index(n));
+  }
+  std::vector<std::int64_t> entries;
+  for (int z = std::max(0, low[2]); z <= std::min(high[2], grid.count(2) - 1); ++z) {
+    for (int y = std::max(0, low[1]); y <= std::min(high[1], grid.count(1) - 1); ++y) {
+      for (int x = std::max(0, low[0]); x <= std::min(high[0], grid.count(0) - 1); ++x) {
+        entries.push_back(static_cast<std::int64_t>(layout.entry({x, y, z})));
+      }
+    }
+  }
+  return entries;
+}
+
+std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, const PaddedGrid& layout) {
+  const Body& body = geometry.body;
+  const Points points = make_points(body, layout);
+  const StencilOptions& options = geometry.stencil_options;
+  StencilOptions plain = options;
+  plain.calibration = Calibration::continuum;
+  const double calibration =
+      options.calibration == Calibration::continuum
+          ? 1.0
+          : 1.0 / effective_conductivity(make_stencil(plain, body.grid.spacing, body.grid.dimension), body.grid.spacing,
+                                         body.grid.dimension);
+  std::map<std::int64_t, std::size_t> number_of;
+  const bool partly_held =
+      std::any_of(body.walls.begin(), body.walls.end(), [](const FaceWalls& wall) { return wall.partly_held; });
+  if (partly_held) {
+    for (std::size_t n = 0; n < points.size(); ++n) number_of[points.entries[n]] = n;
+  }
+  const auto partner = [&](std::size_t i, std::size_t j) {
+    if (!partly_held) return j;
+    const GridIndex other = partner_of(body, layout.index(static_cast<std::size_t>(points.entries[i])),
+                                       layout.index(static_cast<std::size_t>(points.entries[j])));
+    return number_of.at(static_cast<std::int64_t>(layout.entry(other)));
+  };
+  std::vector<double> inverse_capacities;
+  for (std::size_t n = 0; n < points.owned; ++n) {
+    const std::size_t point = body.grid.number(layout.index(static_cast<std::size_t>(points.entries[n])));
+    const double capacity = volumetric_heat_capacity(body.materials[points.materials[n]]) * points.volumes[n];
+    inverse_capacities.push_back(geometry.held_by[point] < 0 ? 1.0 / capacity : 0.0);
+  }
+  std::vector<std::int64_t> owned(points.entries.begin(), points.entries.begin() + static_cast<std::ptrdiff_t>(points.owned));
+  return make_bond_operator(make_bonds(points, options, calibration, BondTracer(body), partner), std::move(owned),
+                            std::move(inverse_capacities), layout.size());
+}
+
+/// Every bond conducts at most as the best material does, and every point stores at least as the poorest.
+double spectral_bound(const Geometry& geometry) {
+  const Body& body = geometry.body;
+  double conductivity = 0.0, capacity = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < body.materials.size(); ++m) {
+    if (std::find(body.material_of.begin(), body.material_of.end(), m) == body.material_of.end()) continue;
+    conductivity = std::max(conductivity, body.materials[m].conductivity);
+    capacity = std::min(capacity, volumetric_heat_capacity(body.materials[m]));
+  }
+  // A path of resistors in series may pass a better conductor that holds neither of its ends.
+  if (body.interface == InterfaceRule::length_weighted_harmonic) {
+    for (const Material& material : body.materials) conductivity = std::max(conductivity, material.conductivity);
+  }
+  return conductivity * largest_symbol(geometry.stencil, body.grid.dimension) / (capacity * body.grid.cell_volume());
+}
+
+std::vector<HeatedPart> make_sources(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout) {
+  const Body& body = geometry.body;
+  std::vector<HeatedPart> parts;
+  for (const HeatSource& source : problem.sources) {
+    HeatedPart part{source.value, {}};
+    for (std::size_t n = 0; n < body.grid.size(); ++n) {
+      const GridIndex p = body.grid.index(n);
+      const Point x = body.grid.position(p);
+      if (body.material_of[n] == no_material || geometry.held_by[n] >= 0) continue;
+      if (source.where && !contains(*source.where, x, 1e-9 * body.grid.spacing)) continue;
+      const double volume = body.grid.cell_volume() * body.grid.volume_share(p);
+      part.points.push_back({static_cast<std::int64_t>(layout.entry(p)), x, volume,
+                             1.0 / (volumetric_heat_capacity(body.materials[body.material_of[n]]) * volume)});
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+}  // namespace
+
+Geometry make_geometry(const Problem& problem) {
+  Geometry geometry;
+  Body& body = geometry.body;
+  body.grid = make_grid(problem);
+  body.interface = problem.nonlocality.interface;
+  const auto numbers = add_materials(problem, geometry);
+  body.background = numbers.at(problem.body.material);
+  for (const BodyRegion& region : problem.body.regions) body.regions.push_back({region.shape, numbers.at(region.material)});
+  body.assign_materials();
+  for (const Crack& crack : problem.cracks) body.cracks.emplace_back(crack, body.grid.dimension, body.grid.spacing);
+  for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
+    body.wall_kinds.push_back(wall_kind(problem.boundaries[b].condition));
+    geometry.boundary_names.push_back(name_of_boundary(problem.boundaries[b], b));
+    if (problem.boundaries[b].face) place_on_face(problem.boundaries[b], b, body);
+  }
+  body.inspect_walls();
+  geometry.stencil_options = {problem.nonlocality.kernel, horizon_of(problem), problem.nonlocality.partial_volumes,
+                              problem.nonlocality.calibration};
+  geometry.stencil = make_stencil(geometry.stencil_options, body.grid.spacing, body.grid.dimension);
+  hold_points(problem, geometry);
+  return geometry;
+}
+
+BackendName choose_backend(const Problem& problem) {
+  return problem.numerics.backend == BackendName::bond ? BackendName::bond : BackendName::stencil;
+}
+
+Assembly assemble(const Problem& problem) {
+  Geometry geometry = make_geometry(problem);
+  const PaddedGrid layout(geometry.body.grid, geometry.stencil.radius);
+  const BackendName backend = choose_backend(problem);
+  HeatSystemParts parts;
+  std::vector<bool> depends_on_place;
+  for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
+    const auto* held = std::get_if<HeldTemperature>(&problem.boundaries[b].condition);
+    depends_on_place.push_back(held != nullptr && CompiledProfile(held->value).depends_on_place());
+    parts.near_held.push_back(find_near_held(geometry, problem.boundaries[b], b, layout));
+  }
+  parts.ghosts = std::make_unique<GhostLayer>(geometry.body, layout, geometry.held_by, depends_on_place);
+  for (const WallSlots& slots : parts.ghosts->slots()) {
+    const auto* held = std::get_if<HeldTemperature>(&problem.boundaries[static_cast<std::size_t>(slots.boundary)].condition);
+    if (held != nullptr && slots.begin.size() > 1) parts.wall_temperatures.add(held->value, slots.places, slots.begin);
+  }
+  parts.exchanges = make_exchanges(problem, geometry, layout, parts.exchange_values);
+  parts.sources = make_sources(problem, geometry, layout);
+  parts.boundary_names = geometry.boundary_names;
+  parts.spectral_bound = spectral_bound(geometry);
+  parts.conduction = backend == BackendName::bond
+                         ? make_bond_backend(geometry, layout)
+                         : make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by);
+  return {std::move(geometry), layout, backend, std::make_unique<HeatSystem>(std::move(parts))};
+}
+
+std::vector<double> initial_state(const Problem& problem, const Assembly& assembly) {
+  const Body& body = assembly.geometry.body;
+  std::vector<double> state(assembly.system->size(), 0.0);
+  CompiledProfile profile(problem.initial.temperature);
+  for (std::size_t n = 0; n < body.grid.size(); ++n) {
+    if (body.material_of[n] == no_material) continue;
+    const GridIndex p = body.grid.index(n);
+    state[assembly.layout.entry(p)] = profile(body.grid.position(p), 0.0);
+  }
+  assembly.system->fill(0.0, state);
+  return state;
+}
+
+}  // namespace peritherm

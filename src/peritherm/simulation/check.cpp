@@ -1,0 +1,87 @@
+#include "peritherm/simulation/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "peritherm/simulation/checker.hpp"
+#include "peritherm/simulation/locations.hpp"
+
+namespace peritherm {
+
+bool Checker::sound(std::string_view key) const {
+  return std::none_of(broken.begin(), broken.end(), [key](const std::string& other) { return keys_touch(key, other); });
+}
+
+void Checker::add(const std::string& key, std::string problem_text, std::string hint) {
+  issues.push_back({find_location(locations, key), std::move(problem_text), std::move(hint)});
+}
+
+bool Checker::accept(const std::string& key, const std::string& fault) {
+  if (fault.empty()) return true;
+  const auto end = fault.find(". ");
+  if (end == std::string::npos) {
+    add(key, fault);
+  } else {
+    add(key, fault.substr(0, end), fault.substr(end + 2));
+  }
+  return false;
+}
+
+std::string entry(const std::string& list, std::size_t index) { return list + '.' + std::to_string(index); }
+
+bool is_void(const Problem& problem, const Point& place, double slack) {
+  const auto& regions = problem.body.regions;
+  const auto last = std::find_if(regions.rbegin(), regions.rend(), [&place, slack](const BodyRegion& region) {
+    return contains(region.shape, place, slack);
+  });
+  return last != regions.rend() && last->material == "void";
+}
+
+bool shape_is_sound(const Checker& checker, const std::string& key, const std::optional<Shape>& shape) {
+  return checker.grid && checker.sound(key) && (!shape || find_fault(*shape, checker.grid->dimension).empty());
+}
+
+Grid make_grid(const Problem& problem) {
+  const BodyOptions& body = problem.body;
+  Grid grid;
+  grid.dimension = static_cast<int>(body.size.size());
+  grid.placement = body.points;
+  grid.origin = to_point(body.origin.value_or(Coordinates{}));
+  for (std::size_t axis = 0; axis < body.size.size(); ++axis) {
+    grid.cells[axis] =
+        body.cells ? (*body.cells)[axis] : static_cast<int>(std::lround(body.size[axis] / *body.spacing));
+  }
+  grid.spacing = body.size[0] / grid.cells[0];
+  return grid;
+}
+
+double horizon_of(const Problem& problem) {
+  const NonlocalityOptions& options = problem.nonlocality;
+  return options.horizon ? *options.horizon : *options.horizon_ratio * make_grid(problem).spacing;
+}
+
+std::vector<Issue> find_faults(const Problem& problem, const Locations& locations,
+                               const std::vector<std::string>& broken) {
+  Checker checker{problem, locations, broken, std::nullopt, {}};
+  check_body(checker);
+  check_materials(checker);
+  check_horizon(checker);
+  check_regions(checker);
+  check_boundaries(checker);
+  check_profiles(checker);
+  check_cracks(checker);
+  check_outputs(checker);
+  check_numerics(checker);
+  return std::move(checker.issues);
+}
+
+std::vector<Issue> find_faults(const Problem& problem, const Locations& locations) {
+  return find_faults(problem, locations, {});
+}
+
+void check(const Problem& problem, const Locations& locations) {
+  std::vector<Issue> issues = find_faults(problem, locations);
+  if (!issues.empty()) throw Error(std::move(issues));
+}
+
+}  // namespace peritherm

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "peritherm/simulation/checker.hpp"
+
+namespace peritherm {
+namespace {
+
+using Boundaries = std::vector<BoundaryOptions>;
+
+bool holds_temperature(const BoundaryOptions& boundary) {
+  return std::holds_alternative<HeldTemperature>(boundary.condition);
+}
+
+std::string face_name(Face face) { return "the face " + std::string(name_of(face)); }
+
+bool check_place(Checker& checker, const std::string& key, const BoundaryOptions& boundary) {
+  if (!boundary.face && !boundary.where) {
+    checker.add(key, "has neither face nor where", "Say where it applies, e.g. face = \"x_min\"");
+    return false;
+  }
+  if (!checker.grid) return false;
+  const int dimension = checker.grid->dimension;
+  if (boundary.face && axis_of(*boundary.face) >= dimension) {
+    std::string faces;
+    for (const auto& [face, name] : EnumNames<Face>::values) {
+      if (axis_of(face) < dimension) faces += (faces.empty() ? "" : ", ") + std::string(name);
+    }
+    checker.add(key + ".face",
+                "a " + std::to_string(dimension) + "-D body has no face '" + std::string(name_of(*boundary.face)) + "'",
+                "Choose one of: " + faces);
+    return false;
+  }
+  return !boundary.where || checker.accept(key + ".where", find_fault(*boundary.where, dimension));
+}
+
+void check_selection(Checker& checker, const std::string& key, const BoundaryOptions& boundary) {
+  const Grid& grid = *checker.grid;
+  if (!boundary.where || grid.size() > largest_search) return;
+  const auto selected = [&boundary, &grid](const Point& place) {
+    return contains(*boundary.where, place, slack_of(grid));
+  };
+  if (boundary.face) {
+    if (any_wall_point(grid, *boundary.face, selected)) return;
+    return checker.add(key + ".where", "selects no point of " + face_name(*boundary.face),
+                       "Move or enlarge it so that it covers a part of the face");
+  }
+  if (!any_point(grid, selected)) {
+    checker.add(key + ".where", "contains no point of the body", "Move or enlarge it, or choose smaller cells");
+  }
+}
+
+void check_condition(Checker& checker, const std::string& key, const BoundaryOptions& boundary) {
+  if (std::holds_alternative<Insulated>(boundary.condition) && !boundary.face) {
+    checker.add(key, "an insulated boundary needs a face", "Give face; inside the body use a [[crack]] or void");
+  }
+  const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
+  if (held == nullptr) return;
+  if (!boundary.face && held->imposed != HeldTemperature{}.imposed) {
+    checker.add(key + ".imposed", "does not belong to a boundary without a face, whose points are held themselves",
+                "Leave it out, or give face");
+  } else if (held->thickness && held->imposed != Imposed::inner) {
+    checker.add(key + ".thickness", "belongs to imposed = \"inner\" only",
+                "Leave it out, or choose imposed = \"inner\"");
+  }
+}
+
+/// Finds entries that claim the same place; each later one is reported once.
+class Claims {
+ public:
+  Claims(const Grid& grid, const Boundaries& boundaries, std::vector<std::size_t> candidates)
+      : grid_(grid), boundaries_(boundaries), candidates_(std::move(candidates)) {}
+
+  /// Never ends a search, so that every place is looked at.
+  bool operator()(const Point& place) {
+    std::size_t first = boundaries_.size();
+    for (const std::size_t i : candidates_) {
+      if (boundaries_[i].where && !contains(*boundaries_[i].where, place, slack_of(grid_))) continue;
+      if (first == boundaries_.size()) {
+        first = i;
+      } else {
+        later_.emplace(i, first);
+      }
+    }
+    return false;
+  }
+
+  const std::map<std::size_t, std::size_t>& later() const { return later_; }
+
+ private:
+  const Grid& grid_;
+  const Boundaries& boundaries_;
+  std::vector<std::size_t> candidates_;
+  std::map<std::size_t, std::size_t> later_;  ///< an entry, and an earlier one that it overlaps
+};
+
+void report(Checker& checker, const Claims& claims, const std::string& place) {
+  for (const auto& [later, earlier] : claims.later()) {
+    checker.add(entry("boundary", later), "overlaps " + entry("boundary", earlier) + " on " + place,
+                "Choose parts that share no point (edges of a shape belong to it), or leave one out");
+  }
+}
+
+void check_overlaps(Checker& checker, const std::vector<std::size_t>& sound) {
+  const Grid& grid = *checker.grid;
+  const Boundaries& boundaries = checker.problem.boundaries;
+  std::map<Face, std::vector<std::size_t>> on_face;
+  std::vector<std::size_t> held;
+  for (const std::size_t i : sound) {
+    if (boundaries[i].face) {
+      on_face[*boundaries[i].face].push_back(i);
+    } else if (holds_temperature(boundaries[i])) {
+      held.push_back(i);
+    }
+  }
+  if (grid.size() > largest_search) return;
+  for (const auto& [face, candidates] : on_face) {
+    if (candidates.size() < 2) continue;
+    Claims claims(grid, boundaries, candidates);
+    any_wall_point(grid, face, claims);
+    report(checker, claims, face_name(face));
+  }
+  if (held.size() < 2) return;
+  Claims claims(grid, boundaries, held);
+  any_point(grid, claims);
+  report(checker, claims, "some points");
+}
+
+}  // namespace
+
+void check_boundaries(Checker& checker) {
+  std::vector<std::size_t> sound;
+  const Boundaries& boundaries = checker.problem.boundaries;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    const std::string key = entry("boundary", i);
+    if (!checker.sound(key)) continue;
+    check_condition(checker, key, boundaries[i]);
+    if (!check_place(checker, key, boundaries[i])) continue;
+    check_selection(checker, key, boundaries[i]);
+    sound.push_back(i);
+  }
+  if (checker.grid) check_overlaps(checker, sound);
+}
+
+}  // namespace peritherm

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <set>
+
+#include "peritherm/base/text.hpp"
+#include "peritherm/simulation/checker.hpp"
+
+namespace peritherm {
+namespace {
+
+constexpr double most_outputs = 1e6;  ///< times of one output
+
+bool in_box(const Grid& grid, const Point& place) {
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const double beyond = std::max(grid.origin[a] - place[a], place[a] - grid.origin[a] - grid.length(axis));
+    if (!(beyond <= slack_of(grid))) return false;
+  }
+  return true;
+}
+
+std::string box_text(const Grid& grid) {
+  std::string text = "The body reaches ";
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const double lower = grid.origin[static_cast<std::size_t>(axis)];
+    if (axis > 0) text += ", ";
+    text +=
+        std::string("in ") + "xyz"[axis] + " from " + shortest(lower) + " to " + shortest(lower + grid.length(axis));
+  }
+  return text + " m";
+}
+
+/// Lower and upper corner of a box around the crack, which must have no fault.
+bool misses_body(const Crack& crack, const Grid& grid) {
+  std::vector<Coordinates> corners = crack.points;
+  if (crack.disc) {
+    corners.assign(2, crack.disc->centre);
+    for (double& coordinate : corners[0]) coordinate -= crack.disc->radius;
+    for (double& coordinate : corners[1]) coordinate += crack.disc->radius;
+  }
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(grid.dimension); ++axis) {
+    const auto below = [axis](const Coordinates& a, const Coordinates& b) { return a[axis] < b[axis]; };
+    const auto [least, most] = std::minmax_element(corners.begin(), corners.end(), below);
+    const double upper = grid.origin[axis] + grid.length(static_cast<int>(axis));
+    if ((*most)[axis] < grid.origin[axis] - slack_of(grid) || (*least)[axis] > upper + slack_of(grid)) return true;
+  }
+  return false;
+}
+
+void check_schedule(Checker& checker, const std::string& key, const OutputOptions& output) {
+  if (output.every.has_value() == output.times.has_value()) {
+    return checker.add(key, output.every ? "has both every and times" : "has neither every nor times",
+                       output.every ? "Leave one of them out" : "Say when to write, e.g. every = \"1 s\"");
+  }
+  if (output.times && output.times->empty()) {
+    return checker.add(key + ".times", "is empty", "Give at least one time, or leave the output out");
+  }
+  if (!checker.sound("time.end")) return;
+  const double end = checker.problem.time.end;
+  if (output.every && !(end / *output.every <= most_outputs)) {
+    checker.add(key + ".every", "makes more than 1e6 outputs until the end of the run", "Choose a longer period");
+  }
+  for (std::size_t i = 0; output.times && i < output.times->size(); ++i) {
+    const double time = (*output.times)[i];
+    if (time <= end * (1.0 + 1e-12)) continue;
+    checker.add(entry(key + ".times", i), shortest(time) + " s is after the end of the run",
+                "Choose at most time.end, " + shortest(end) + " s");
+  }
+}
+
+void check_kind(Checker& checker, const std::string& key, const ProbeOutput& probe) {
+  if (probe.column.empty()) checker.add(key + ".name", "is empty", "Give the column a heading");
+  if (probe.column == "time") checker.add(key + ".name", "is the heading of the first column", "Choose another name");
+  if (!checker.grid) return;
+  const Grid& grid = *checker.grid;
+  if (probe.at.size() != static_cast<std::size_t>(grid.dimension)) {
+    return checker.add(
+        key + ".at",
+        "has " + std::to_string(probe.at.size()) + " entries, but the body is " + std::to_string(grid.dimension) + "-D",
+        "Give one coordinate per dimension");
+  }
+  const Point place = to_point(probe.at);
+  if (!in_box(grid, place)) return checker.add(key + ".at", "the probe is outside the body", box_text(grid));
+  for (const BodyRegion& region : checker.problem.body.regions) {
+    if (!find_fault(region.shape, grid.dimension).empty()) return;
+  }
+  if (checker.sound("body.region") && is_void(checker.problem, place, slack_of(grid))) {
+    checker.add(key + ".at", "the probe is in a part that is cut away", "Move it into the body");
+  }
+}
+
+void check_kind(Checker& checker, const std::string& key, const PictureOutput& picture) {
+  if (picture.range && (picture.range->size() != 2 || !((*picture.range)[0] < (*picture.range)[1]))) {
+    checker.add(key + ".range", "must be the lowest and the highest value", "Write range = [0, 100]");
+  }
+  if (!picture.at || !checker.grid) return;
+  const Grid& grid = *checker.grid;
+  if (grid.dimension != 3) {
+    return checker.add(key + ".at", "is for slices of 3-D bodies only", "Leave it out");
+  }
+  const auto axis = static_cast<std::size_t>(picture.normal);
+  Point place = grid.origin;
+  place[axis] = *picture.at;
+  if (!in_box(grid, place)) checker.add(key + ".at", "the slice is outside the body", box_text(grid));
+}
+
+template <class Other>
+void check_kind(Checker&, const std::string&, const Other&) {}
+
+void check_probe_names(Checker& checker) {
+  std::set<std::string> names;
+  const auto& outputs = checker.problem.outputs;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto* probe = std::get_if<ProbeOutput>(&outputs[i].kind);
+    if (probe == nullptr || !checker.sound(entry("output", i)) || names.insert(probe->column).second) continue;
+    checker.add(entry("output", i) + ".name", "another probe is called '" + probe->column + "' too",
+                "Choose a name of its own for each probe");
+  }
+}
+
+}  // namespace
+
+void check_cracks(Checker& checker) {
+  const auto& cracks = checker.problem.cracks;
+  for (std::size_t i = 0; checker.grid && i < cracks.size(); ++i) {
+    const std::string key = entry("crack", i);
+    if (!checker.sound(key)) continue;
+    const std::string place = key + (cracks[i].disc ? ".disc" : ".points");
+    const std::string fault = find_fault(cracks[i], checker.grid->dimension);
+    const std::string guilty = fault.find("'tip_speed'") == std::string::npos ? place : key + ".tip_speed";
+    if (!checker.accept(guilty, fault) || !misses_body(cracks[i], *checker.grid)) continue;
+    checker.add(place, "the crack is outside the body", box_text(*checker.grid));
+  }
+}
+
+void check_outputs(Checker& checker) {
+  const auto& outputs = checker.problem.outputs;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const std::string key = entry("output", i);
+    if (!checker.sound(key)) continue;
+    check_schedule(checker, key, outputs[i]);
+    std::visit([&checker, &key](const auto& kind) { check_kind(checker, key, kind); }, outputs[i].kind);
+  }
+  check_probe_names(checker);
+}
+
+void check_numerics(Checker& checker) {
+  const int threads = checker.problem.numerics.threads;
+  if (threads < 0 || threads > 1024) {
+    checker.add("numerics.threads", "must lie between 0 and 1024", "Got " + std::to_string(threads));
+  }
+  if (!checker.sound("time")) return;
+  std::visit(
+      [&checker](const auto& chosen) {
+        if constexpr (requires { chosen.safety; }) {
+          if (chosen.safety > 0.0) return;
+          checker.add("time.integrator.safety", "must be positive", "Got " + shortest(chosen.safety));
+        }
+      },
+      checker.problem.time.integrator);
+}
+
+}  // namespace peritherm

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "peritherm/simulation/check.hpp"
+
+namespace peritherm {
+
+/// What the rules share: the problem, the grid once it is known, and the list of faults.
+struct Checker {
+  const Problem& problem;
+  const Locations& locations;
+  const std::vector<std::string>& broken;  ///< keys that could not be read; rules on them would only echo that
+  std::optional<Grid> grid;                ///< once the body has passed its rules
+  std::vector<Issue> issues;
+
+  /// Was everything under the key, and the key itself, read without an issue?
+  bool sound(std::string_view key) const;
+  void add(const std::string& key, std::string problem_text, std::string hint = {});
+  /// The same for "what is wrong. How to mend it"; nothing if the text is empty. True if nothing was wrong.
+  bool accept(const std::string& key, const std::string& fault);
+};
+
+/// `find_faults` for a case of which some keys could not be read.
+std::vector<Issue> find_faults(const Problem& problem, const Locations& locations,
+                               const std::vector<std::string>& broken);
+
+void check_body(Checker& checker);       ///< dimension, cells; sets the grid
+void check_materials(Checker& checker);  ///< names
+void check_horizon(Checker& checker);
+void check_regions(Checker& checker);
+void check_boundaries(Checker& checker);
+void check_profiles(Checker& checker);  ///< initial temperature, sources, boundary values
+void check_cracks(Checker& checker);
+void check_outputs(Checker& checker);
+void check_numerics(Checker& checker);
+
+/// Sources and boundaries whose shape has no fault are worth a look at their points.
+bool shape_is_sound(const Checker& checker, const std::string& key, const std::optional<Shape>& shape);
+
+/// "body.region" + 2 → "body.region.2".
+std::string entry(const std::string& list, std::size_t index);
+
+/// Material at a place is cut away. The shapes of all regions must be without fault.
+bool is_void(const Problem& problem, const Point& place, double slack);
+
+/// Points on the surface of a shape may be off by rounding.
+inline double slack_of(const Grid& grid) { return 1e-9 * grid.spacing; }
+
+/// Grids beyond this are not searched point by point [points]; a search of this many takes about a second.
+inline constexpr std::size_t largest_search = 100'000'000;
+
+/// Calls `holds(position)` for every point until it is true; says if it ever was.
+template <class Predicate>
+bool any_point(const Grid& grid, Predicate&& holds) {
+  for (int k = 0; k < grid.count(2); ++k) {
+    for (int j = 0; j < grid.count(1); ++j) {
+      for (int i = 0; i < grid.count(0); ++i) {
+        if (holds(grid.position({i, j, k}))) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The same for the places on a face above its first layer of points.
+template <class Predicate>
+bool any_wall_point(const Grid& grid, Face face, Predicate&& holds) {
+  const auto across = static_cast<std::size_t>(axis_of(face));
+  Grid wall = grid;
+  wall.origin[across] += is_upper(face) ? grid.length(axis_of(face)) : 0.0;
+  wall.cells[across] = 1;
+  return any_point(wall, [&holds, &wall, across](Point place) {
+    place[across] = wall.origin[across];
+    return holds(place);
+  });
+}
+
+}  // namespace peritherm

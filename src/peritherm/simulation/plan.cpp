@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "peritherm/base/error.hpp"
+#include "peritherm/discretisation/damage.hpp"
+#include "peritherm/simulation/assemble.hpp"
+#include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/memory.hpp"
+#include "peritherm/simulation/plan.hpp"
+#include "peritherm/simulation/simulate.hpp"
+
+namespace peritherm {
+namespace {
+
+/// Rough costs of one evaluation on one core of a present-day machine [s].
+constexpr double stencil_seconds_per_bond = 0.06e-9;
+constexpr double stencil_seconds_per_point = 3e-9;
+constexpr double list_seconds_per_bond = 1.3e-9;
+
+/// States that an integrator keeps beside the temperature.
+int state_count(const TimeStepping& integrator) {
+  if (std::holds_alternative<ForwardEuler>(integrator)) return 2;
+  return 4;
+}
+
+/// Evaluations of rkl2 grow like the root of time over the fastest decay and the sixth root of accuracy; the factor
+/// was measured on a cracked plate.
+double rkl2_evaluations(double rate_times_end, double tolerance) {
+  return 10.0 + 11.0 * std::sqrt(rate_times_end) * std::pow(3e-5 / tolerance, 1.0 / 6.0);
+}
+
+double bytes_of_fields(const Grid& grid, int radius, int states) {
+  double padded = 1.0;
+  for (int axis = 0; axis < grid.dimension; ++axis) padded *= grid.count(axis) + 2.0 * radius;
+  // Materials, holders and special flags take 4 B a point; output gathers temperature and flux, 32 B.
+  return padded * 8.0 * states + static_cast<double>(grid.size()) * 36.0;
+}
+
+double bytes_of_bonds(const Grid& grid, std::size_t bonds_per_point) {
+  const auto bonds = static_cast<double>(grid.size()) * static_cast<double>(bonds_per_point);
+  // Neighbour numbers of the search, entries and conductances while rows are built, then 12 B a bond.
+  return bonds * 24.0 + static_cast<double>(grid.size()) * 100.0;
+}
+
+std::string readable(double bytes) {
+  std::ostringstream text;
+  text.precision(3);
+  text << bytes / (1024.0 * 1024.0 * 1024.0) << " GiB";
+  return text.str();
+}
+
+void refuse_if_too_large(double bytes, const Grid& grid) {
+  const auto available = static_cast<double>(available_memory());
+  if (available == 0.0 || bytes <= available) return;
+  throw Error("the run needs about " + readable(bytes) + " of memory for " + std::to_string(grid.size()) +
+                  " points, and " + readable(available) + " are available",
+              "Choose fewer cells, or run it on a machine with more memory", Fault::machine);
+}
+
+void estimate_costs(const Problem& problem, const Geometry& geometry, double fastest_rate, int threads, Plan& plan) {
+  const auto* euler = std::get_if<ForwardEuler>(&problem.time.integrator);
+  const auto* classical = std::get_if<RungeKutta4>(&problem.time.integrator);
+  plan.stable_step = (classical != nullptr ? 2.785 : 2.0) / fastest_rate;
+  if (euler != nullptr) plan.step = euler->step.value_or(euler->safety * plan.stable_step);
+  if (classical != nullptr) plan.step = classical->step.value_or(classical->safety * plan.stable_step);
+  if (const auto* legendre = std::get_if<RungeKuttaLegendre>(&problem.time.integrator)) {
+    plan.evaluations = rkl2_evaluations(fastest_rate * problem.time.end, legendre->relative_tolerance);
+  } else {
+    plan.evaluations = std::ceil(problem.time.end / plan.step) * (classical != nullptr ? 4.0 : 1.0);
+  }
+  const auto points = static_cast<double>(geometry.body.grid.size());
+  const auto bonds = points * static_cast<double>(geometry.stencil.entries.size());
+  const double evaluation = choose_backend(problem) == BackendName::bond
+                                ? bonds * list_seconds_per_bond
+                                : bonds * stencil_seconds_per_bond + points * stencil_seconds_per_point;
+  plan.duration = plan.evaluations * evaluation / threads;
+}
+
+/// Bound of the fastest rate without building any operator.
+double bound_rate(const Geometry& geometry) {
+  double rate = 0.0;
+  for (const Material& material : geometry.body.materials) {
+    rate = std::max(rate, material.conductivity / volumetric_heat_capacity(material));
+  }
+  return rate * largest_symbol(geometry.stencil, geometry.body.grid.dimension) / geometry.body.grid.cell_volume();
+}
+
+}  // namespace
+
+namespace {
+
+double memory_estimate(const Problem& problem) {
+  const Grid grid = make_grid(problem);
+  const StencilOptions options{problem.nonlocality.kernel, horizon_of(problem), problem.nonlocality.partial_volumes,
+                               problem.nonlocality.calibration};
+  const double ratio = options.horizon / grid.spacing;
+  double bytes = bytes_of_fields(grid, static_cast<int>(std::ceil(ratio + 0.5)), state_count(problem.time.integrator));
+  if (choose_backend(problem) == BackendName::bond) {
+    bytes += bytes_of_bonds(grid, make_stencil(options, grid.spacing, grid.dimension).entries.size());
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void refuse_if_too_large(const Problem& problem) { refuse_if_too_large(memory_estimate(problem), make_grid(problem)); }
+
+Plan make_plan(const Problem& problem, const Geometry& geometry, std::optional<double> fastest_rate, int threads) {
+  const Body& body = geometry.body;
+  Plan plan;
+  plan.dimension = body.grid.dimension;
+  plan.spacing = body.grid.spacing;
+  plan.horizon = geometry.stencil_options.horizon;
+  plan.points = static_cast<std::size_t>(
+      std::count_if(body.material_of.begin(), body.material_of.end(), [](MaterialIndex m) { return m != no_material; }));
+  plan.bonds = count_bonds(body, geometry.stencil);
+  for (const CutBond& cut : find_cut_bonds(body, geometry.stencil)) plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
+  plan.backend = name_of(choose_backend(problem));
+  plan.integrator = std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
+  plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem)) + 24 * plan.cut_bonds * 2;
+  estimate_costs(problem, geometry, fastest_rate.value_or(bound_rate(geometry)), threads, plan);
+  return plan;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,180 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "peritherm/discretisation/grid.hpp"
+#include "peritherm/discretisation/stencil.hpp"
+#include "peritherm/geometry/crack.hpp"
+#include "peritherm/geometry/face.hpp"
+#include "peritherm/geometry/region.hpp"
+#include "peritherm/integrators/integrator.hpp"
+#include "peritherm/operators/conduction.hpp"
+#include "peritherm/output/observer.hpp"
+#include "peritherm/physics/boundary.hpp"
+#include "peritherm/physics/interface.hpp"
+#include "peritherm/physics/kernel.hpp"
+#include "peritherm/physics/material.hpp"
+#include "peritherm/physics/partial_volume.hpp"
+
+namespace peritherm {
+
+/// A part of the body with another material; later regions overwrite earlier ones.
+struct BodyRegion {
+  std::string material;  ///< a name in [materials], or "void"
+  Shape shape;
+  static constexpr auto options() {
+    return std::tuple{required("material", &BodyRegion::material, "a name in [materials], or \"void\" to cut away"),
+                      required("shape", &BodyRegion::shape, "which part of the body")};
+  }
+  bool operator==(const BodyRegion&) const = default;
+};
+
+struct BodyOptions {
+  std::optional<Coordinates> origin;
+  Coordinates size;
+  std::optional<std::vector<int>> cells;
+  std::optional<double> spacing;
+  PointPlacement points = PointPlacement::centres;
+  std::string material;
+  std::vector<BodyRegion> regions;
+  static constexpr auto options() {
+    return std::tuple{
+        optional("origin", &BodyOptions::origin, "m", any_number, "lower corner of the box; default: 0"),
+        required("size", &BodyOptions::size, "m", positive, "lengths of the box; their number is the dimension"),
+        optional("cells", &BodyOptions::cells, "", positive, "number of cells along each axis; cells must be cubes"),
+        optional("spacing", &BodyOptions::spacing, "m", positive, "edge of a cell, instead of cells"),
+        optional("points", &BodyOptions::points, "where points stand: in the cells' centres or on their corners"),
+        required("material", &BodyOptions::material, "a name in [materials]"),
+        optional("region", &BodyOptions::regions, "parts of another material; later ones overwrite")};
+  }
+  bool operator==(const BodyOptions&) const = default;
+};
+
+struct NonlocalityOptions {
+  std::optional<double> horizon;
+  std::optional<double> horizon_ratio;
+  Kernel kernel;
+  Calibration calibration = Calibration::discrete;
+  PartialVolumes partial_volumes = PartialVolumes::partial_area;
+  InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
+  static constexpr auto options() {
+    return std::tuple{
+        optional("horizon", &NonlocalityOptions::horizon, "m", positive, "radius of interaction"),
+        optional("horizon_ratio", &NonlocalityOptions::horizon_ratio, "", positive,
+                 "radius of interaction over the spacing, instead of horizon"),
+        optional("kernel", &NonlocalityOptions::kernel, "shape of the micro-conductivity"),
+        optional("calibration", &NonlocalityOptions::calibration,
+                 "discrete: the second moment of the grid's bonds is exact; continuum: that of the integral"),
+        optional("partial_volumes", &NonlocalityOptions::partial_volumes, "cells at the edge of the horizon"),
+        optional("interface", &NonlocalityOptions::interface, "conductivity of bonds between materials")};
+  }
+  bool operator==(const NonlocalityOptions&) const = default;
+};
+
+struct InitialOptions {
+  Profile temperature{0.0};
+  static constexpr auto options() {
+    return std::tuple{optional("temperature", &InitialOptions::temperature, "K", any_number,
+                               "temperature at the start, number or expression of x, y, z")};
+  }
+  bool operator==(const InitialOptions&) const = default;
+};
+
+struct HeatSource {
+  Profile value;
+  std::optional<Shape> where;
+  static constexpr auto options() {
+    return std::tuple{required("value", &HeatSource::value, "W/m^3", any_number,
+                               "heat per volume and time, number or expression"),
+                      optional("where", &HeatSource::where, "which part of the body; default: all of it")};
+  }
+  bool operator==(const HeatSource&) const = default;
+};
+
+struct BoundaryOptions {
+  std::optional<Face> face;
+  std::optional<Shape> where;
+  BoundaryCondition condition;
+  static constexpr auto options() {
+    return std::tuple{
+        optional("face", &BoundaryOptions::face, "a face of the box"),
+        optional("where", &BoundaryOptions::where,
+                 "a set of points; together with face: the part of the face inside the shape"),
+        required("", &BoundaryOptions::condition, "what happens there")};
+  }
+  bool operator==(const BoundaryOptions&) const = default;
+};
+
+struct NumericsOptions {
+  BackendName backend = BackendName::automatic;
+  int threads = 0;
+  static constexpr auto options() {
+    return std::tuple{optional("backend", &NumericsOptions::backend, "how conduction is evaluated"),
+                      optional("threads", &NumericsOptions::threads, "", not_negative,
+                               "number of threads; 0: all cores")};
+  }
+  bool operator==(const NumericsOptions&) const = default;
+};
+
+struct TimeOptions {
+  double end = 0.0;
+  TimeStepping integrator;
+  static constexpr auto options() {
+    return std::tuple{required("end", &TimeOptions::end, "s", positive, "end of the simulated time"),
+                      optional("integrator", &TimeOptions::integrator, "how the temperature is moved in time")};
+  }
+  bool operator==(const TimeOptions&) const = default;
+};
+
+struct OutputOptions {
+  std::optional<double> every;
+  std::optional<std::vector<double>> times;
+  OutputKind kind;
+  static constexpr auto options() {
+    return std::tuple{
+        optional("every", &OutputOptions::every, "s", positive, "period of this output, from 0 on"),
+        optional("times", &OutputOptions::times, "s", not_negative, "times of this output, instead of every"),
+        required("", &OutputOptions::kind, "what is written")};
+  }
+  bool operator==(const OutputOptions&) const = default;
+};
+
+/// Everything a run needs, in SI units. Plain data: copy it, compare it, print it, build it in Python.
+struct Problem {
+  int format = 1;
+  std::string title;
+  BodyOptions body;
+  std::map<std::string, Material> materials;
+  NonlocalityOptions nonlocality;
+  InitialOptions initial;
+  std::vector<HeatSource> sources;
+  std::vector<BoundaryOptions> boundaries;
+  std::vector<Crack> cracks;
+  NumericsOptions numerics;
+  TimeOptions time;
+  std::vector<OutputOptions> outputs;
+  static constexpr auto options() {
+    return std::tuple{
+        required("format", &Problem::format, "",
+                 Check{[](double v) { return v == 1.0; }, "must be 1, the only format this version reads"},
+                 "version of the case file's format"),
+        optional("title", &Problem::title, "one line for pictures and reports"),
+        required("body", &Problem::body, "the box, its points and its parts"),
+        required("materials", &Problem::materials, "one table per material: [materials.NAME]"),
+        required("nonlocality", &Problem::nonlocality, "horizon and kernel"),
+        optional("initial", &Problem::initial, "the start"),
+        optional("source", &Problem::sources, "heat sources"),
+        optional("boundary", &Problem::boundaries, "conditions; faces without one are insulated"),
+        optional("crack", &Problem::cracks, "surfaces that interrupt heat"),
+        optional("numerics", &Problem::numerics, "backend and threads"),
+        required("time", &Problem::time, "end and integrator"),
+        optional("output", &Problem::outputs, "what is written, and when")};
+  }
+  bool operator==(const Problem&) const = default;
+};
+
+}  // namespace peritherm

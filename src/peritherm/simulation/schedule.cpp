@@ -1,0 +1,61 @@
+#include "peritherm/simulation/schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace peritherm {
+namespace {
+
+template <class... Visitors>
+struct Overloaded : Visitors... {
+  using Visitors::operator()...;
+};
+
+void merge(std::vector<double>& times, const std::vector<double>& others) {
+  times.insert(times.end(), others.begin(), others.end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+}
+
+}  // namespace
+
+bool Watch::is_due(double time) const { return std::binary_search(times.begin(), times.end(), time); }
+
+std::vector<double> times_of(const OutputOptions& output, double end) {
+  std::vector<double> times;
+  if (output.times) {
+    merge(times, *output.times);
+    return times;
+  }
+  if (!output.every) return {end};
+  // A last period that rounding makes a hair longer or shorter than the rest is the end itself.
+  const double slack = 1e-9 * *output.every;
+  for (double n = 0.0; n * *output.every < end - slack; n += 1.0) times.push_back(n * *output.every);
+  times.push_back(end);
+  return times;
+}
+
+std::vector<Watch> make_watches(const Problem& problem, const std::filesystem::path& folder) {
+  std::vector<Watch> watches;
+  std::vector<ProbeOutput> probes;
+  std::vector<double> probe_times;
+  for (const OutputOptions& output : problem.outputs) {
+    const std::vector<double> times = times_of(output, problem.time.end);
+    std::visit(Overloaded{[&](const ProbeOutput& probe) {
+                            probes.push_back(probe);
+                            merge(probe_times, times);
+                          },
+                          [&](const auto& kind) { watches.push_back({make_observer(kind, folder), times}); }},
+               output.kind);
+  }
+  if (!probes.empty()) watches.push_back({make_probe_observer(probes, folder), probe_times});
+  return watches;
+}
+
+std::vector<double> all_times(const std::vector<Watch>& watches, double end) {
+  std::vector<double> times{end};
+  for (const Watch& watch : watches) merge(times, watch.times);
+  return times;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,270 @@
+#include "peritherm/simulation/simulate.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "peritherm/base/file.hpp"
+#include "peritherm/discretisation/damage.hpp"
+#include "peritherm/simulation/assemble.hpp"
+#include "peritherm/simulation/memory.hpp"
+#include "peritherm/simulation/plan.hpp"
+#include "peritherm/simulation/schedule.hpp"
+#include "peritherm/simulation/summary.hpp"
+#include "peritherm/simulation/write.hpp"
+
+namespace peritherm {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Heat that came in against heat that is stored.
+class EnergyBalance {
+ public:
+  EnergyBalance(const HeatSystem& system, ConstField state) : system_(system), first_(system.stored_heat(state)) {
+    std::vector<double> ones(state.size(), 1.0);
+    capacity_ = system.stored_heat(ones);
+    widen(state);
+  }
+
+  /// |stored − stored at the start − Σ heats| over the largest of what flowed and what the spread could store.
+  double residual(ConstField state) {
+    widen(state);
+    double sum = 0.0, flowed = capacity_ * (highest_ - lowest_);
+    for (const double heat : system_.account_heats(state)) {
+      sum += heat;
+      flowed = std::max(flowed, std::abs(heat));
+    }
+    const double missing = std::abs(system_.stored_heat(state) - first_ - sum);
+    return missing == 0.0 ? 0.0 : missing / std::max(flowed, std::numeric_limits<double>::min());
+  }
+
+ private:
+  void widen(ConstField state) {
+    const auto [lowest, highest] = system_.extremes(state);
+    lowest_ = std::min(lowest_, lowest);
+    highest_ = std::max(highest_, highest);
+  }
+
+  const HeatSystem& system_;
+  double first_;
+  double capacity_ = 0.0;
+  double lowest_ = std::numeric_limits<double>::infinity();
+  double highest_ = -std::numeric_limits<double>::infinity();
+};
+
+/// Hands the state to those who look at it.
+class Gallery {
+ public:
+  Gallery(const Problem& problem, const Assembly& assembly, const std::filesystem::path& folder)
+      : problem_(problem), assembly_(assembly), watches_(make_watches(problem, folder)) {}
+
+  std::vector<double> times() const { return all_times(watches_, problem_.time.end); }
+
+  void show(double time, std::vector<double>& state, bool everybody) {
+    std::vector<Observer*> due;
+    for (const Watch& watch : watches_) {
+      if (everybody || watch.is_due(time)) due.push_back(watch.observer.get());
+    }
+    if (due.empty()) return;
+    HeatSystem& system = *assembly_.system;
+    system.begin_step(time, time);
+    system.fill(time, state);
+    const Body& body = assembly_.geometry.body;
+    std::vector<double> temperature(body.grid.size());
+    assembly_.layout.gather(state, temperature);
+    for (std::size_t n = 0; n < temperature.size(); ++n) {
+      if (body.material_of[n] == no_material) temperature[n] = std::numeric_limits<double>::quiet_NaN();
+    }
+    const Snapshot snapshot{
+        .time = time,
+        .grid = body.grid,
+        .title = problem_.title,
+        .temperature = temperature,
+        .materials = body.material_of,
+        .material_names = assembly_.geometry.material_names,
+        .heat_flux = [&] { return heat_flux(assembly_, state); },
+        .damage = [&] { return damage(body, assembly_.geometry.stencil, cuts(), time); },
+        .cracks = outlines(time),
+        .stored_heat = system.stored_heat(state),
+        .accounts = accounts(time, state),
+    };
+    for (Observer* observer : due) observer->observe(snapshot);
+  }
+
+  std::vector<std::filesystem::path> files() const {
+    std::vector<std::filesystem::path> all;
+    for (const Watch& watch : watches_) {
+      for (auto& file : watch.observer->files()) all.push_back(std::move(file));
+    }
+    return all;
+  }
+
+ private:
+  std::vector<HeatAccount> accounts(double time, std::vector<double>& state) {
+    const std::vector<double> rates = assembly_.system->account_rates(time, state);
+    const std::vector<double> heats = assembly_.system->account_heats(state);
+    const std::vector<std::string> names = assembly_.system->account_names();
+    std::vector<HeatAccount> result;
+    for (std::size_t a = 0; a < names.size(); ++a) result.push_back({names[a], heats[a], rates[a]});
+    return result;
+  }
+
+  std::vector<std::vector<Point>> outlines(double time) const {
+    std::vector<std::vector<Point>> lines;
+    for (const CrackSurface& crack : assembly_.geometry.body.cracks) {
+      for (auto& line : crack.outline(time)) lines.push_back(std::move(line));
+    }
+    return lines;
+  }
+
+  const std::vector<CutBond>& cuts() {
+    if (!cuts_) cuts_ = find_cut_bonds(assembly_.geometry.body, assembly_.geometry.stencil);
+    return *cuts_;
+  }
+
+  const Problem& problem_;
+  const Assembly& assembly_;
+  std::vector<Watch> watches_;
+  std::optional<std::vector<CutBond>> cuts_;
+};
+
+[[noreturn]] void report_not_finite(const Assembly& assembly, ConstField state, double time) {
+  const Grid& grid = assembly.geometry.body.grid;
+  std::ostringstream text;
+  text << "the temperature is not finite at t = " << time << " s";
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    const GridIndex p = grid.index(n);
+    if (std::isfinite(state[assembly.layout.entry(p)])) continue;
+    const Point x = grid.position(p);
+    text << ", first at (" << x[0];
+    for (int axis = 1; axis < grid.dimension; ++axis) text << ", " << x[axis];
+    text << ") m";
+    break;
+  }
+  throw Error(text.str(), "Look at sources, boundary values and initial temperatures near that place and time",
+              Fault::numerics);
+}
+
+void prepare_folder(const RunSettings& settings) {
+  std::error_code failure;
+  const bool exists = std::filesystem::exists(settings.folder, failure);
+  if (exists && !std::filesystem::is_directory(settings.folder, failure)) {
+    throw Error("'" + settings.folder.string() + "' is a file, not a folder for results",
+                "Choose another folder with --output", Fault::machine);
+  }
+  if (exists && !settings.overwrite && !std::filesystem::is_empty(settings.folder, failure)) {
+    throw Error("the folder '" + settings.folder.string() + "' already holds files",
+                "Choose another one with --output, or replace its results with --overwrite", Fault::machine);
+  }
+  make_folder(settings.folder);
+  for (const char* result : {"fields", "pictures"}) std::filesystem::remove_all(settings.folder / result, failure);
+  for (const char* result : {"resolved.toml", "summary.json", "probes.csv", "energy.csv", "fields.pvd"}) {
+    std::filesystem::remove(settings.folder / result, failure);
+  }
+}
+
+/// The march from output time to output time.
+class March {
+ public:
+  March(const Problem& problem, const RunSettings& settings, Assembly& assembly, RunSummary& summary)
+      : problem_(problem),
+        settings_(settings),
+        assembly_(assembly),
+        summary_(summary),
+        gallery_(problem, assembly, settings.folder),
+        state_(initial_state(problem, assembly)),
+        balance_(*assembly.system, state_),
+        integrator_(make_integrator(problem.time.integrator, *assembly.system)) {
+    summary_.plan.stable_step = integrator_->stable_step();
+  }
+
+  void go() {
+    start_ = Clock::now();
+    gallery_.show(0.0, state_, false);
+    double time = 0.0;
+    for (const double next : gallery_.times()) {
+      if (next <= time) continue;
+      const double reached = integrator_->advance(time, next, state_, [this](double now, ConstField) { return after_step(now); });
+      time = reached;
+      record(time);
+      const bool stopped = reached < next;
+      gallery_.show(time, state_, stopped);
+      if (stopped) break;
+    }
+    summary_.status = time < problem_.time.end ? "stopped" : "completed";
+  }
+
+  void record(double time) {
+    summary_.end_time = time;
+    summary_.wall = seconds_since(start_);
+    summary_.count = integrator_->count();
+    summary_.energy_relative_residual = balance_.residual(state_);
+    summary_.peak_memory_bytes = peak_memory();
+    summary_.files = gallery_.files();
+  }
+
+ private:
+  bool after_step(double now) {
+    const auto [lowest, highest] = assembly_.system->extremes(state_);
+    if (!std::isfinite(lowest) || !std::isfinite(highest)) report_not_finite(assembly_, state_, now);
+    summary_.end_time = now;
+    if (settings_.on_progress) {
+      settings_.on_progress({now, problem_.time.end, integrator_->count(), seconds_since(start_)});
+    }
+    return !(settings_.stop_requested && settings_.stop_requested());
+  }
+
+  const Problem& problem_;
+  const RunSettings& settings_;
+  Assembly& assembly_;
+  RunSummary& summary_;
+  Gallery gallery_;
+  std::vector<double> state_;
+  EnergyBalance balance_;
+  std::unique_ptr<TimeIntegrator> integrator_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+int set_threads(const Problem& problem) {
+  const int threads = problem.numerics.threads > 0 ? problem.numerics.threads : omp_get_num_procs();
+  omp_set_num_threads(threads);
+  return threads;
+}
+
+Plan plan(const Problem& problem) {
+  refuse_if_too_large(problem);
+  return make_plan(problem, make_geometry(problem), std::nullopt, set_threads(problem));
+}
+
+RunSummary run(const Problem& problem, const RunSettings& settings) {
+  refuse_if_too_large(problem);
+  const int threads = set_threads(problem);
+  Assembly assembly = assemble(problem);
+  RunSummary summary;
+  summary.plan = make_plan(problem, assembly.geometry, assembly.system->fastest_rate(), threads);
+  prepare_folder(settings);
+  if (settings.on_plan) settings.on_plan(summary.plan);
+  write_file(settings.folder / "resolved.toml", write_problem(problem));
+  March march(problem, settings, assembly, summary);
+  try {
+    march.go();
+  } catch (const Error&) {
+    summary.status = "failed";
+    write_summary(summary, settings.folder);
+    throw;
+  }
+  write_summary(summary, settings.folder);
+  summary.files.insert(summary.files.begin(), {settings.folder / "summary.json", settings.folder / "resolved.toml"});
+  return summary;
+}
+
+}  // namespace peritherm

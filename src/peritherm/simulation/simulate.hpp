@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "peritherm/integrators/integrator.hpp"
+#include "peritherm/simulation/problem.hpp"
+
+namespace peritherm {
+
+/// Sizes and costs of a run, known before it starts.
+struct Plan {
+  int dimension = 0;
+  std::size_t points = 0;          ///< points of the body; cut-away ones are not counted
+  std::size_t bonds = 0;           ///< pairs of points that exchange heat, cut ones included
+  std::size_t cut_bonds = 0;       ///< of them cut by the end of the run
+  std::string backend;             ///< "stencil" or "bond"
+  std::string integrator;          ///< "rkl2", …
+  double horizon = 0.0;            ///< [m]
+  double spacing = 0.0;            ///< [m]
+  double stable_step = 0.0;        ///< [s]
+  double step = 0.0;               ///< of a fixed-step integrator [s]; 0: chosen by error control
+  std::size_t memory_bytes = 0;    ///< estimate for the whole run
+  double evaluations = 0.0;        ///< estimate
+  double duration = 0.0;           ///< estimate [s]
+  std::vector<std::string> notes;  ///< what the user should know, e.g. temperatures below a warning
+};
+
+/// What a running simulation tells, after each step.
+struct Progress {
+  double time = 0.0;  ///< simulated [s]
+  double end = 0.0;   ///< [s]
+  StepCount count;
+  double wall = 0.0;  ///< since the start of the march [s]
+};
+
+struct RunSettings {
+  std::filesystem::path folder;                          ///< where results go; made if missing
+  bool overwrite = false;                                ///< results that are there may be replaced
+  std::function<void(const Plan&)> on_plan;              ///< before the march
+  std::function<void(const Progress&)> on_progress;      ///< after each step
+  std::function<bool()> stop_requested;                  ///< asked after each step; true ends the run there
+};
+
+struct RunSummary {
+  Plan plan;
+  StepCount count;
+  double wall = 0.0;                    ///< [s]
+  double end_time = 0.0;                ///< reached [s]
+  double energy_relative_residual = 0.0;
+  std::size_t peak_memory_bytes = 0;
+  std::string status;                   ///< "completed" or "stopped"
+  std::vector<std::filesystem::path> files;
+};
+
+/// Sizes, stable step, memory and duration. Runs nothing. The problem must have passed `check`.
+Plan plan(const Problem& problem);
+
+/// Runs the problem and writes its results. Throws Error: Fault::machine if results would be overwritten or memory
+/// does not suffice, Fault::numerics if a temperature becomes infinite or not a number.
+RunSummary run(const Problem& problem, const RunSettings& settings);
+
+}  // namespace peritherm

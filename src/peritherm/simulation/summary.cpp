@@ -1,0 +1,37 @@
+#include "peritherm/simulation/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "peritherm/base/file.hpp"
+#include "peritherm/base/version.hpp"
+
+namespace peritherm {
+
+void write_summary(const RunSummary& summary, const std::filesystem::path& folder) {
+  const Plan& plan = summary.plan;
+  const auto evaluations = static_cast<double>(summary.count.evaluations);
+  nlohmann::ordered_json json{
+      {"version", std::string(version())},
+      {"status", summary.status},
+      {"dimension", plan.dimension},
+      {"points", plan.points},
+      {"bonds", plan.bonds},
+      {"cut_bonds", plan.cut_bonds},
+      {"backend", plan.backend},
+      {"integrator", plan.integrator},
+      {"spacing_m", plan.spacing},
+      {"horizon_m", plan.horizon},
+      {"steps", summary.count.accepted},
+      {"rejected_steps", summary.count.rejected},
+      {"evaluations", summary.count.evaluations},
+      {"stable_step_s", plan.stable_step},
+      {"wall_s", summary.wall},
+      {"evaluations_per_s", summary.wall > 0.0 ? evaluations / summary.wall : 0.0},
+      {"peak_memory_bytes", summary.peak_memory_bytes},
+      {"energy_relative_residual", summary.energy_relative_residual},
+      {"end_time_s", summary.end_time},
+  };
+  write_file(folder / "summary.json", json.dump(2) + "\n");
+}
+
+}  // namespace peritherm

@@ -1,0 +1,215 @@
+#include "peritherm/system/heat_system.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <unordered_map>
+
+namespace peritherm {
+
+HeatSystem::HeatSystem(HeatSystemParts parts) : parts_(std::move(parts)), field_size_(parts_.conduction->size()) {
+  const auto boundaries = static_cast<int>(parts_.boundary_names.size());
+  for (int b = 0; b < boundaries; ++b) accounts_.push_back({b, {}, {}, false});
+  if (!parts_.sources.empty()) {
+    accounts_.push_back({-1, {}, {}, false});
+    for (const HeatedPart& part : parts_.sources) {
+      sources_change_ = sources_change_ || CompiledProfile(part.value).depends_on_time();
+    }
+  }
+  if (!parts_.sources.empty()) load_.assign(size(), 0.0);
+  parts_.conduction->average_over(0.0, 0.0);
+  const std::vector<std::size_t> changing = parts_.conduction->changing_points();
+  for (Account& account : accounts_) {
+    if (account.boundary < 0) continue;
+    for (const std::int64_t entry : parts_.near_held[static_cast<std::size_t>(account.boundary)]) {
+      account.changes = account.changes ||
+                        std::binary_search(changing.begin(), changing.end(), static_cast<std::size_t>(entry));
+    }
+    measure(account);
+  }
+}
+
+/// Weights of the bonds between free points and what the boundary holds.
+void HeatSystem::measure(Account& account) {
+  const auto& near = parts_.near_held[static_cast<std::size_t>(account.boundary)];
+  account.entries.clear();
+  account.weights.clear();
+  if (near.empty()) return;
+  std::unordered_map<std::int64_t, std::int16_t> holder;
+  for (const GhostRun& run : parts_.ghosts->runs()) {
+    for (int k = 0; k < run.length; ++k) {
+      if (run.boundary >= 0) {
+        holder[run.target + k] = run.boundary;
+      } else if (const auto source = holder.find(run.source + k * run.step); source != holder.end()) {
+        holder[run.target + k] = source->second;
+      }
+    }
+  }
+  std::unordered_map<std::int64_t, double> weights;
+  for (const std::int64_t entry : near) {
+    if (holder.count(entry) != 0) continue;
+    double own = 0.0;
+    parts_.conduction->visit_bonds(static_cast<std::size_t>(entry), [&](std::size_t j, double conductance) {
+      const auto found = holder.find(static_cast<std::int64_t>(j));
+      if (found == holder.end() || found->second != account.boundary) return;
+      weights[static_cast<std::int64_t>(j)] += conductance;
+      own += conductance;
+    });
+    if (own != 0.0) weights[entry] -= own;
+  }
+  for (const auto& [entry, weight] : weights) account.entries.push_back(entry);
+  std::sort(account.entries.begin(), account.entries.end());
+  for (const std::int64_t entry : account.entries) account.weights.push_back(weights[entry]);
+}
+
+bool HeatSystem::begin_step(double from, double to) {
+  if (!parts_.conduction->average_over(from, to)) return false;
+  for (Account& account : accounts_) {
+    if (account.changes) measure(account);
+  }
+  return true;
+}
+
+void HeatSystem::fill(double time, Field temperature) {
+  parts_.wall_temperatures.update(time);
+  parts_.exchange_values.update(time);
+  parts_.ghosts->fill(parts_.wall_temperatures.values(), temperature.first(field_size_));
+}
+
+void HeatSystem::update_sources(double time) {
+  if (load_.empty() || (load_fresh_ && (!sources_change_ || time == load_time_))) return;
+  std::fill(load_.begin(), load_.end(), 0.0);
+  source_heat_rate_ = 0.0;
+  for (const HeatedPart& part : parts_.sources) {
+    constexpr std::size_t chunk = 4096;
+    std::vector<double> sums((part.points.size() + chunk - 1) / chunk, 0.0);
+    std::exception_ptr failure;
+#pragma omp parallel
+    {
+      CompiledProfile profile(part.value);
+#pragma omp for schedule(static)
+      for (std::size_t c = 0; c < sums.size(); ++c) {
+        try {
+          for (std::size_t n = c * chunk; n < std::min(part.points.size(), (c + 1) * chunk); ++n) {
+            const SourcePoint& point = part.points[n];
+            const double heat_rate = point.volume * profile(point.position, time);
+            load_[static_cast<std::size_t>(point.entry)] += heat_rate * point.inverse_capacity;
+            sums[c] += heat_rate;
+          }
+        } catch (...) {
+#pragma omp critical
+          failure = std::current_exception();
+        }
+      }
+    }
+    if (failure) std::rethrow_exception(failure);
+    for (const double sum : sums) source_heat_rate_ += sum;
+  }
+  load_time_ = time;
+  load_fresh_ = true;
+}
+
+void HeatSystem::add_exchanges(double rate_weight, ConstField temperature, Field result) const {
+  const ConstField values = parts_.exchange_values.values();
+  for (const SurfaceExchange& exchange : parts_.exchanges) {
+    const auto entry = static_cast<std::size_t>(exchange.entry);
+    double difference = values[static_cast<std::size_t>(exchange.value)];
+    if (exchange.convective) difference -= temperature[entry];
+    result[entry] += rate_weight * exchange.inverse_capacity * exchange.gain * difference;
+  }
+}
+
+double HeatSystem::heat_rate(const Account& account, ConstField temperature) const {
+  if (account.boundary < 0) return source_heat_rate_;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < account.entries.size(); ++k) {
+    sum += account.weights[k] * temperature[static_cast<std::size_t>(account.entries[k])];
+  }
+  const ConstField values = parts_.exchange_values.values();
+  for (const SurfaceExchange& exchange : parts_.exchanges) {
+    if (exchange.boundary != account.boundary) continue;
+    double difference = values[static_cast<std::size_t>(exchange.value)];
+    if (exchange.convective) difference -= temperature[static_cast<std::size_t>(exchange.entry)];
+    sum += exchange.gain * difference;
+  }
+  return sum;
+}
+
+void HeatSystem::combine(double time, Field temperature, double rate_weight, Terms terms, Field result) {
+  fill(time, temperature);
+  update_sources(time);
+  std::array<Term, 8> all;
+  assert(terms.size() < all.size());
+  std::copy(terms.begin(), terms.end(), all.begin());
+  std::size_t count = terms.size();
+  if (!load_.empty()) all[count++] = {rate_weight, load_.data()};
+  const ConstField field = temperature.first(field_size_);
+  parts_.conduction->combine(field, rate_weight, Terms(all.data(), count), result.first(field_size_));
+  add_exchanges(rate_weight, field, result);
+  for (std::size_t a = 0; a < accounts_.size(); ++a) {
+    double value = rate_weight * heat_rate(accounts_[a], field);
+    for (const Term& term : terms) value += term.weight * term.values[field_size_ + a];
+    result[field_size_ + a] = value;
+  }
+}
+
+double HeatSystem::rms(Terms terms) const {
+  const auto count = static_cast<double>(std::max<std::size_t>(1, parts_.conduction->free_points()));
+  return std::sqrt(parts_.conduction->sum_of_squares(terms) / count);
+}
+
+ThermalSystem::Extremes HeatSystem::extremes(ConstField temperature) const {
+  Extremes found = parts_.conduction->extremes(temperature.first(field_size_));
+  const auto include = [&found](double value) {
+    found.lowest = std::min(found.lowest, value);
+    found.highest = std::max(found.highest, value);
+  };
+  for (const double value : parts_.wall_temperatures.values()) include(value);
+  for (const SurfaceExchange& exchange : parts_.exchanges) {
+    if (exchange.convective) include(parts_.exchange_values.values()[static_cast<std::size_t>(exchange.value)]);
+  }
+  return found;
+}
+
+double HeatSystem::fastest_rate() const {
+  double rate = parts_.conduction->gershgorin_bound();
+  if (parts_.spectral_bound > 0.0) rate = std::min(rate, parts_.spectral_bound);
+  std::unordered_map<std::int64_t, double> loss;
+  double fastest_loss = 0.0;
+  for (const SurfaceExchange& exchange : parts_.exchanges) {
+    if (!exchange.convective) continue;
+    double& sum = loss[exchange.entry];
+    sum += exchange.gain * exchange.inverse_capacity;
+    fastest_loss = std::max(fastest_loss, sum);
+  }
+  return rate + fastest_loss;
+}
+
+std::vector<std::string> HeatSystem::account_names() const {
+  std::vector<std::string> names = parts_.boundary_names;
+  if (accounts_.size() > names.size()) names.emplace_back("sources");
+  return names;
+}
+
+std::vector<double> HeatSystem::account_heats(ConstField state) const {
+  return {state.begin() + static_cast<std::ptrdiff_t>(field_size_), state.end()};
+}
+
+std::vector<double> HeatSystem::account_rates(double time, Field state) {
+  fill(time, state);
+  update_sources(time);
+  std::vector<double> rates;
+  for (const Account& account : accounts_) rates.push_back(heat_rate(account, state.first(field_size_)));
+  return rates;
+}
+
+std::size_t HeatSystem::bytes() const {
+  std::size_t bytes = parts_.conduction->bytes() + parts_.ghosts->bytes() + load_.capacity() * sizeof(double) +
+                      parts_.exchanges.capacity() * sizeof(SurfaceExchange);
+  for (const HeatedPart& part : parts_.sources) bytes += part.points.capacity() * sizeof(SourcePoint);
+  for (const Account& account : accounts_) bytes += account.entries.capacity() * (sizeof(std::int64_t) + sizeof(double));
+  return bytes;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "peritherm/operators/ghost_layer.hpp"
+#include "peritherm/system/prescribed_values.hpp"
+#include "peritherm/system/thermal_system.hpp"
+
+namespace peritherm {
+
+/// Heat that one point exchanges with its surroundings: gain · q for a prescribed flux q, gain · (T∞ − T) for
+/// convection. `value` is the index of q or T∞ among the exchange values.
+struct SurfaceExchange {
+  std::int64_t entry = 0;
+  std::int64_t value = 0;
+  double gain = 0.0;              ///< [m²] for a flux, [W/K] for convection
+  double inverse_capacity = 0.0;  ///< 1/C of the point [K/J]
+  std::int16_t boundary = -1;
+  bool convective = false;
+};
+
+/// A point that is heated from within.
+struct SourcePoint {
+  std::int64_t entry = 0;
+  Point position{};
+  double volume = 0.0;            ///< [m³]
+  double inverse_capacity = 0.0;  ///< [K/J]
+};
+
+struct HeatedPart {
+  Profile value;  ///< [W/m³]
+  std::vector<SourcePoint> points;
+};
+
+/// What a heat system is made of.
+struct HeatSystemParts {
+  std::unique_ptr<ConductionOperator> conduction;
+  std::unique_ptr<GhostLayer> ghosts;
+  PrescribedValues wall_temperatures;             ///< as the ghost layer numbers them
+  std::vector<SurfaceExchange> exchanges;
+  PrescribedValues exchange_values;
+  std::vector<HeatedPart> sources;
+  std::vector<std::string> boundary_names;        ///< per boundary index
+  std::vector<std::vector<std::int64_t>> near_held;  ///< per boundary: entries of points that may touch what it holds
+  double spectral_bound = 0.0;                    ///< known bound of the fastest rate of conduction [1/s]; 0: none
+};
+
+/// C dT/dt = conduction + boundaries + sources on any set of points.
+class HeatSystem final : public ThermalSystem {
+ public:
+  explicit HeatSystem(HeatSystemParts parts);
+
+  std::size_t size() const override { return field_size_ + accounts_.size(); }
+  bool begin_step(double from, double to) override;
+  void combine(double time, Field temperature, double rate_weight, Terms terms, Field result) override;
+  double rms(Terms terms) const override;
+  Extremes extremes(ConstField temperature) const override;
+  double fastest_rate() const override;
+
+  /// Sets held and fictitious entries to their values at a time.
+  void fill(double time, Field temperature);
+
+  const ConductionOperator& conduction() const { return *parts_.conduction; }
+  double stored_heat(ConstField state) const { return parts_.conduction->stored_heat(state); }
+  /// Names of what heat is accounted for: each boundary, and the sources.
+  std::vector<std::string> account_names() const;
+  /// Heat that has entered through each since the start [J].
+  std::vector<double> account_heats(ConstField state) const;
+  /// Heat that enters through each now [W]; fills held and fictitious entries.
+  std::vector<double> account_rates(double time, Field state);
+  std::size_t bytes() const;
+
+ private:
+  /// Heat rate through one boundary as a linear function of the temperatures, Σ weight · T, plus what its exchanges
+  /// bring in.
+  struct Account {
+    int boundary = -1;  ///< −1: the sources
+    std::vector<std::int64_t> entries;
+    std::vector<double> weights;  ///< [W/K]
+    bool changes = false;         ///< some of its bonds are cut in time
+  };
+  void measure(Account& account);
+  double heat_rate(const Account& account, ConstField temperature) const;
+  void update_sources(double time);
+  void add_exchanges(double rate_weight, ConstField temperature, Field result) const;
+
+  HeatSystemParts parts_;
+  std::size_t field_size_;
+  std::vector<Account> accounts_;
+  std::vector<double> load_;             ///< rate from sources [K/s]; empty without sources
+  double source_heat_rate_ = 0.0;        ///< [W]
+  double load_time_ = 0.0;
+  bool load_fresh_ = false;
+  bool sources_change_ = false;
+};
+
+}  // namespace peritherm
