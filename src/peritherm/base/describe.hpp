@@ -16,8 +16,7 @@ struct Check {
 };
 inline constexpr Check any_number{[](double v) { return std::isfinite(v); }, "must be finite"};
 inline constexpr Check positive{[](double v) { return v > 0.0 && std::isfinite(v); }, "must be positive"};
-inline constexpr Check not_negative{[](double v) { return v >= 0.0 && std::isfinite(v); },
-                                    "must not be negative"};
+inline constexpr Check not_negative{[](double v) { return v >= 0.0 && std::isfinite(v); }, "must not be negative"};
 inline constexpr Check zero_to_one{[](double v) { return v >= 0.0 && v <= 1.0; }, "must lie between 0 and 1"};
 
 /// One input option: key, member it fills, SI unit ("" = none), admissible values, one line of help.
@@ -33,14 +32,14 @@ struct Option {
 };
 
 template <class Owner, class Value>
-constexpr Option<Owner, Value> optional(std::string_view key, Value Owner::*member, std::string_view unit,
-                                        Check check, std::string_view help) {
+constexpr Option<Owner, Value> optional(std::string_view key, Value Owner::*member, std::string_view unit, Check check,
+                                        std::string_view help) {
   return {key, member, unit, check, help, false};
 }
 
 template <class Owner, class Value>
-constexpr Option<Owner, Value> required(std::string_view key, Value Owner::*member, std::string_view unit,
-                                        Check check, std::string_view help) {
+constexpr Option<Owner, Value> required(std::string_view key, Value Owner::*member, std::string_view unit, Check check,
+                                        std::string_view help) {
   return {key, member, unit, check, help, true};
 }
 
@@ -57,7 +56,9 @@ constexpr Option<Owner, Value> required(std::string_view key, Value Owner::*memb
 
 /// A plain struct that lists its own options; an alternative of a variant also has a name.
 template <class T>
-concept Described = requires { T::options(); };
+concept Described = requires {
+  T::options();
+};
 template <class T>
 concept Alternative = Described<T> && requires {
   { T::name } -> std::convertible_to<std::string_view>;
@@ -70,7 +71,9 @@ template <class Enum>
 struct EnumNames;
 
 template <class Enum>
-concept NamedEnum = requires { EnumNames<Enum>::values; };
+concept NamedEnum = requires {
+  EnumNames<Enum>::values;
+};
 
 template <NamedEnum Enum>
 constexpr std::string_view name_of(Enum value) {

@@ -22,9 +22,9 @@ constexpr bool is_held(WallKind kind) { return kind == WallKind::odd || kind == 
 
 /// One face: what stands outside each of its places.
 struct FaceWalls {
-  bool open = false;                     ///< nothing outside the whole face
-  std::vector<std::int16_t> boundary_of; ///< index of the boundary at each place, −1 for none; empty: none anywhere
-  bool partly_held = false;              ///< only some places are held; set by Body::inspect_walls
+  bool open = false;                      ///< nothing outside the whole face
+  std::vector<std::int16_t> boundary_of;  ///< index of the boundary at each place, −1 for none; empty: none anywhere
+  bool partly_held = false;               ///< only some places are held; set by Body::inspect_walls
 };
 
 struct MaterialRegion {
@@ -42,7 +42,7 @@ struct Body {
   InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
   std::vector<CrackSurface> cracks;
   std::array<FaceWalls, 6> walls;
-  std::vector<WallKind> wall_kinds;        ///< per boundary index
+  std::vector<WallKind> wall_kinds;  ///< per boundary index
 
   /// Material of the box at a place inside it.
   MaterialIndex material_at(const Point& x) const;

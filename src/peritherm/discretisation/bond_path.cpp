@@ -45,19 +45,17 @@ Point BondTracer::off_cracks(const Point& x) const {
 }
 
 void BondTracer::cut_at_walls(const Point& a, const Point& b, std::vector<Piece>& pieces) const {
-  std::array<double, 8> shares;
-  int count = 0;
-  shares[count++] = 0.0;
+  thread_local std::vector<double> shares;
+  shares.assign({0.0, 1.0});
   for (int axis = 0; axis < body_.grid.dimension; ++axis) {
     const double run = b[axis] - a[axis];
     for (const double wall : {lower_[axis], upper_[axis]}) {
-      if ((a[axis] < wall) != (b[axis] < wall)) shares[count++] = std::clamp((wall - a[axis]) / run, 0.0, 1.0);
+      if ((a[axis] < wall) != (b[axis] < wall)) shares.push_back(std::clamp((wall - a[axis]) / run, 0.0, 1.0));
     }
   }
-  shares[count++] = 1.0;
-  std::sort(shares.begin(), shares.begin() + count);
+  std::sort(shares.begin(), shares.end());
   pieces.clear();
-  for (int k = 0; k + 1 < count; ++k) {
+  for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
     if (shares[k + 1] <= shares[k]) continue;
     const Point middle = between(a, b, 0.5 * (shares[k] + shares[k + 1]));
     pieces.push_back({fold(between(a, b, shares[k]), middle), fold(between(a, b, shares[k + 1]), middle),

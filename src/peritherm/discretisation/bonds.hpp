@@ -13,10 +13,10 @@ namespace peritherm {
 
 /// Every bond of every owned point, row by row.
 struct Bonds {
-  std::vector<BondIndex> row_begin;     ///< owned points + 1
-  std::vector<std::int64_t> neighbours; ///< entry of j in a field
-  std::vector<double> conductances;     ///< G_ij [W/K]
-  CutSchedule cuts;                     ///< conductances that change in time
+  std::vector<BondIndex> row_begin;      ///< owned points + 1
+  std::vector<std::int64_t> neighbours;  ///< entry of j in a field
+  std::vector<double> conductances;      ///< G_ij [W/K]
+  CutSchedule cuts;                      ///< conductances that change in time
 };
 
 /// Pairs × kernel × materials × cracks. Conductance of a bond: κ(ξ) times the own volume of i and the source volume

@@ -23,10 +23,11 @@ void CutSchedule::sort() {
 bool CutSchedule::average_over(double from, double to, Field conductances) {
   const auto earlier = [](const Event& event, double time) { return event.time < time; };
   const auto later = [](double time, const Event& event) { return time < event.time; };
-  const auto settled = static_cast<std::size_t>(
-      std::upper_bound(events_.begin(), events_.end(), from, later) - events_.begin());
-  const auto touched = std::max(settled, static_cast<std::size_t>(
-      std::lower_bound(events_.begin(), events_.end(), to, earlier) - events_.begin()));
+  const auto settled =
+      static_cast<std::size_t>(std::upper_bound(events_.begin(), events_.end(), from, later) - events_.begin());
+  const auto touched = std::max(
+      settled,
+      static_cast<std::size_t>(std::lower_bound(events_.begin(), events_.end(), to, earlier) - events_.begin()));
   const std::size_t first = std::min(settled_, settled);
   const std::size_t last = std::max(touched_, touched);
   for (std::size_t e = last; e-- > first;) conductances[events_[e].entry] = events_[e].before;

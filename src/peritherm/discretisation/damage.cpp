@@ -61,7 +61,8 @@ std::vector<CutBond> find_cut_bonds(const Body& body, const Stencil& stencil) {
       const GridIndex q = shifted(p, entry.offset);
       if (!is_inside(body, q)) continue;
       const std::size_t other = body.grid.number(q);
-      tracer.trace(body.grid.position(p), body.material_of[point], body.grid.position(q), body.material_of[other], path);
+      tracer.trace(body.grid.position(p), body.material_of[point], body.grid.position(q), body.material_of[other],
+                   path);
       if (!path.crossings.empty()) cuts.push_back({point, other, path.crossings.front().time});
     }
   }

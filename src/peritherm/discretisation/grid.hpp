@@ -25,9 +25,9 @@ using GridIndex = std::array<int, 3>;  ///< place of a point along x, y, z; 0 al
 /// Uniform grid of cubic cells over a box. Points are numbered with x fastest.
 struct Grid {
   int dimension = 1;
-  double spacing = 1.0;           ///< [m]
-  GridIndex cells{1, 1, 1};       ///< 1 along unused axes
-  Point origin{};                 ///< lower corner of the box [m]
+  double spacing = 1.0;      ///< [m]
+  GridIndex cells{1, 1, 1};  ///< 1 along unused axes
+  Point origin{};            ///< lower corner of the box [m]
   PointPlacement placement = PointPlacement::centres;
 
   /// Number of points along an axis.

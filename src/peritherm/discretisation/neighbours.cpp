@@ -78,7 +78,8 @@ Neighbours find_neighbours(const Points& points, double distance) {
     const Point& x = points.positions[i];
     cells.for_candidates(x, [&](PointIndex j) {
       const Point& y = points.positions[j];
-      const double square = (y[0] - x[0]) * (y[0] - x[0]) + (y[1] - x[1]) * (y[1] - x[1]) + (y[2] - x[2]) * (y[2] - x[2]);
+      const double square =
+          (y[0] - x[0]) * (y[0] - x[0]) + (y[1] - x[1]) * (y[1] - x[1]) + (y[2] - x[2]) * (y[2] - x[2]);
       if (static_cast<std::size_t>(j) != i && square <= limit) result.points.push_back(j);
     });
     std::sort(result.points.begin() + result.row_begin.back(), result.points.end());

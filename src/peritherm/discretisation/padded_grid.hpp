@@ -32,9 +32,9 @@ class PaddedGrid {
 
   /// Entry of a point; indices may lie up to `padding` outside the grid.
   std::size_t entry(const GridIndex& p) const {
-    return first_ + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(p[0]) +
-                                             p[1] * static_cast<std::ptrdiff_t>(stride_[1]) +
-                                             p[2] * static_cast<std::ptrdiff_t>(stride_[2]));
+    return first_ +
+           static_cast<std::size_t>(static_cast<std::ptrdiff_t>(p[0]) + p[1] * static_cast<std::ptrdiff_t>(stride_[1]) +
+                                    p[2] * static_cast<std::ptrdiff_t>(stride_[2]));
   }
   std::ptrdiff_t distance(const GridIndex& offset) const {
     return offset[0] + offset[1] * static_cast<std::ptrdiff_t>(stride_[1]) +

@@ -88,7 +88,7 @@ class CrackSurface {
   double start_time_;
   double tip_speed_ = 0.0;                            ///< 0: all at once
   std::vector<Point> points_;                         ///< corners; of a disc: its centre only
-  bool closed_ = false;        ///< 2-D: the last point is the first
+  bool closed_ = false;                               ///< 2-D: the last point is the first
   std::vector<double> arc_;                           ///< 2-D: length from the first point to each corner
   double radius_ = 0.0;                               ///< of a disc
   Point lower_{}, upper_{};                           ///< corners of a box around the crack

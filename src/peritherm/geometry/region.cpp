@@ -1,6 +1,8 @@
 #include "peritherm/geometry/region.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "peritherm/geometry/plane_polygon.hpp"
 #include "peritherm/geometry/vector.hpp"
@@ -122,7 +124,49 @@ void append(const Polygon& polygon, const Walk& walk) {
   }
 }
 
+// height_above(form, x): a number whose size is at most the distance of x from the surface.
+
+double height_above(const Box& box, const Point& x) {
+  double height = -std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < box.from.size(); ++axis) {
+    height = std::max({height, box.from[axis] - x[axis], x[axis] - box.to[axis]});
+  }
+  return height;
+}
+
+double height_above(const Ball& ball, const Point& x) {
+  return length(difference(x, to_point(ball.centre))) - ball.radius;
+}
+
+double height_above(const Cylinder& cylinder, const Point& x) {
+  const Point from = to_point(cylinder.from);
+  const Point axis = difference(to_point(cylinder.to), from);
+  const Point arm = difference(x, from);
+  const double axis_length = length(axis);
+  const double along = dot(arm, axis) / axis_length;
+  const double radius = length(difference(arm, scaled(axis, along / axis_length)));
+  return std::max({radius - cylinder.radius, -along, along - axis_length});
+}
+
+double height_above(const HalfSpace& half_space, const Point& x) {
+  const Point normal = to_point(half_space.normal);
+  return dot(normal, x) / length(normal) - half_space.offset;
+}
+
+double height_above(const Polygon& polygon, const Point& x) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < polygon.points.size(); ++k) {
+    const Coordinates& next = polygon.points[(k + 1) % polygon.points.size()];
+    distance = std::min(distance, distance_from_edge(polygon.points[k], next, x[0], x[1]));
+  }
+  return distance;
+}
+
 }  // namespace
+
+bool surface_within(const Shape& shape, const Point& point, double distance) {
+  return std::visit([&](const auto& form) { return std::abs(height_above(form, point)) <= distance; }, shape);
+}
 
 bool contains(const Shape& shape, const Point& point, double slack) {
   return std::visit([&](const auto& form) { return is_inside(form, point, slack); }, shape);

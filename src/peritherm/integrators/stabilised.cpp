@@ -97,19 +97,15 @@ class Legendre final : public TimeIntegrator {
       const double nu = -(j - 1.0) / j * b / legendre_weight(j - 2);
       const double mu_rate = mu * w;
       const double gamma = -(1.0 - legendre_weight(j - 1)) * mu_rate;
-      const Term terms[] = {{mu, latest_.data()},
-                            {nu, previous_.data()},
-                            {1.0 - mu - nu, start.data()},
-                            {gamma * step, slope_.data()}};
+      const Term terms[] = {
+          {mu, latest_.data()}, {nu, previous_.data()}, {1.0 - mu - nu, start.data()}, {gamma * step, slope_.data()}};
       evaluate(time + latest_share * step, latest_, mu_rate * step, terms, previous_);
       std::swap(previous_, latest_);
       previous_share = std::exchange(latest_share, mu * latest_share + nu * previous_share + mu_rate + gamma);
     }
     evaluate(time + step, latest_, 1.0, {}, previous_);
-    const Term error[] = {{0.8, start.data()},
-                          {-0.8, latest_.data()},
-                          {0.4 * step, slope_.data()},
-                          {0.4 * step, previous_.data()}};
+    const Term error[] = {
+        {0.8, start.data()}, {-0.8, latest_.data()}, {0.4 * step, slope_.data()}, {0.4 * step, previous_.data()}};
     const Term change[] = {{step, slope_.data()}};
     const double scale = std::max(highest_ - lowest_, system_.rms(change));
     const double size = system_.rms(error);

@@ -66,7 +66,7 @@ class CorrectionBuilder {
 
 BondCorrections make_corrections(const Body& body, const PaddedGrid& layout, const Stencil& stencil) {
   BondCorrections corrections;
-  const std::vector<std::uint8_t> special = find_special_points(body, layout, stencil);
+  const std::vector<std::uint8_t> special = find_special_points(body, stencil);
   CorrectionBuilder builder(body, layout, stencil);
   for (std::size_t n = 0; n < special.size(); ++n) {
     if (special[n] != 0) builder.add_point(body.grid.index(n), corrections);

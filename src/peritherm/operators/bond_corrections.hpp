@@ -13,11 +13,11 @@ namespace peritherm {
 /// The bonds whose conductance differs from the stencil's: cut, partly conducting, between materials, to places where
 /// nothing is. Row by row; the difference of the conductance [W/K], of whole cells, to be added to the stencil's.
 struct BondCorrections {
-  std::vector<std::int64_t> rows;         ///< entries of the points that have any, ascending
+  std::vector<std::int64_t> rows;          ///< entries of the points that have any, ascending
   std::vector<std::int64_t> row_begin{0};  ///< rows + 1
-  std::vector<std::int32_t> distances;    ///< entry of j minus entry of i
-  std::vector<double> differences;        ///< [W/K]
-  CutSchedule cuts;                       ///< differences that change in time
+  std::vector<std::int32_t> distances;     ///< entry of j minus entry of i
+  std::vector<double> differences;         ///< [W/K]
+  CutSchedule cuts;                        ///< differences that change in time
 
   std::size_t bytes() const;
 };
@@ -25,6 +25,6 @@ struct BondCorrections {
 BondCorrections make_corrections(const Body& body, const PaddedGrid& layout, const Stencil& stencil);
 
 /// Points with at least one bond that may differ from the stencil's; one flag per point.
-std::vector<std::uint8_t> find_special_points(const Body& body, const PaddedGrid& layout, const Stencil& stencil);
+std::vector<std::uint8_t> find_special_points(const Body& body, const Stencil& stencil);
 
 }  // namespace peritherm

@@ -71,7 +71,8 @@ class BondOperator final : public ConductionOperator {
   }
 
   Extremes extremes(ConstField temperature) const override {
-    Extremes found{temperature[static_cast<std::size_t>(entries_[0])], temperature[static_cast<std::size_t>(entries_[0])]};
+    Extremes found{temperature[static_cast<std::size_t>(entries_[0])],
+                   temperature[static_cast<std::size_t>(entries_[0])]};
     for (const std::int64_t entry : entries_) {
       const double value = temperature[static_cast<std::size_t>(entry)];
       found.lowest = value >= found.lowest ? found.lowest : value;
@@ -95,8 +96,10 @@ class BondOperator final : public ConductionOperator {
   std::vector<std::size_t> changing_points() const override {
     std::vector<std::size_t> points;
     for (const std::size_t bond : bonds_.cuts.entries()) {
-      const auto next = std::upper_bound(bonds_.row_begin.begin(), bonds_.row_begin.end(), static_cast<BondIndex>(bond));
-      points.push_back(static_cast<std::size_t>(entries_[static_cast<std::size_t>(next - bonds_.row_begin.begin()) - 1]));
+      const auto next =
+          std::upper_bound(bonds_.row_begin.begin(), bonds_.row_begin.end(), static_cast<BondIndex>(bond));
+      points.push_back(
+          static_cast<std::size_t>(entries_[static_cast<std::size_t>(next - bonds_.row_begin.begin()) - 1]));
     }
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
@@ -144,8 +147,7 @@ class BondOperator final : public ConductionOperator {
 }  // namespace
 
 std::unique_ptr<ConductionOperator> make_bond_operator(Bonds bonds, std::vector<std::int64_t> entries,
-                                                       std::vector<double> inverse_capacities,
-                                                       std::size_t field_size) {
+                                                       std::vector<double> inverse_capacities, std::size_t field_size) {
   return std::make_unique<BondOperator>(std::move(bonds), std::move(entries), std::move(inverse_capacities),
                                         field_size);
 }

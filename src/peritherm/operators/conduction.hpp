@@ -62,8 +62,7 @@ class ConductionOperator {
 /// Sparse rows, for points of any arrangement.
 /// `entries`: where each owned point stands in a field; `inverse_capacities`: 1/C [K/J], 0 if held.
 std::unique_ptr<ConductionOperator> make_bond_operator(Bonds bonds, std::vector<std::int64_t> entries,
-                                                       std::vector<double> inverse_capacities,
-                                                       std::size_t field_size);
+                                                       std::vector<double> inverse_capacities, std::size_t field_size);
 
 /// One stencil for all points of a grid and sparse corrections. `held_by` per point: −1 for free ones; may be empty.
 /// `kernel`: index into available_kernels(); all give the same sums to rounding.

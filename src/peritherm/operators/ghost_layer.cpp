@@ -55,11 +55,11 @@ void GhostLayer::append(GhostRun run, const std::vector<WallPlace>& places) {
   }
   if (!runs_.empty() && stage_begin_.back() < runs_.size()) {
     GhostRun& last = runs_.back();
-    const bool continues = last.boundary == run.boundary && last.sign == run.sign &&
-                           last.target + last.length == run.target &&
-                           (last.sign == 0.0 || last.length == 1 || last.source + last.length * last.step == run.source) &&
-                           (run.boundary < 0 || run.wall == last.wall + last.length * last.wall_step ||
-                            (last.length == 1 && run.wall == last.wall + 1));
+    const bool continues =
+        last.boundary == run.boundary && last.sign == run.sign && last.target + last.length == run.target &&
+        (last.sign == 0.0 || last.length == 1 || last.source + last.length * last.step == run.source) &&
+        (run.boundary < 0 || run.wall == last.wall + last.length * last.wall_step ||
+         (last.length == 1 && run.wall == last.wall + 1));
     const std::int64_t step = last.length == 1 && run.sign != 0.0 ? run.source - last.source : last.step;
     if (continues && (step == 1 || step == -1)) {
       if (last.length == 1 && run.boundary >= 0) last.wall_step = static_cast<std::int8_t>(run.wall - last.wall);
@@ -136,7 +136,8 @@ void GhostLayer::add_line(const Body& body, const PaddedGrid& layout, Face face,
     run.sign = sign_of(kind);
     run.wall_weight = 1.0 - run.sign;
     if (is_held(kind)) run.boundary = static_cast<std::int16_t>(body.boundary_at(face, p));
-    const bool needs_place = run.boundary >= 0 && (!slots_[run.boundary].uniform || slots_[run.boundary].begin.size() == 1);
+    const bool needs_place =
+        run.boundary >= 0 && (!slots_[run.boundary].uniform || slots_[run.boundary].begin.size() == 1);
     append(run, needs_place ? places_at(body, face, p) : std::vector<WallPlace>{});
   }
 }

@@ -13,7 +13,7 @@ namespace peritherm {
 struct GhostRun {
   std::int64_t target = 0;
   std::int64_t source = 0;
-  std::int64_t wall = 0;     ///< index into the wall temperatures
+  std::int64_t wall = 0;  ///< index into the wall temperatures
   std::int32_t length = 0;
   std::int16_t boundary = -1;
   std::int8_t step = 1;
@@ -32,9 +32,9 @@ struct WallPlace {
 /// Wall temperatures of one boundary, as they are laid out behind one another.
 struct WallSlots {
   int boundary = -1;
-  std::int64_t first = 0;                ///< index of its first wall temperature
-  bool uniform = true;                   ///< one slot for all of the boundary
-  std::vector<std::int64_t> begin{0};    ///< slots + 1, into places
+  std::int64_t first = 0;              ///< index of its first wall temperature
+  bool uniform = true;                 ///< one slot for all of the boundary
+  std::vector<std::int64_t> begin{0};  ///< slots + 1, into places
   std::vector<WallPlace> places;
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "peritherm/discretisation/damage.hpp"
 #include "peritherm/operators/bond_corrections.hpp"
@@ -8,41 +9,21 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Lowest (or highest) value among the neighbours within `radius` along one axis of a padded array.
-template <class Choose>
-Bytes filter(const Bytes& values, const PaddedGrid& layout, int axis, int radius, Choose choose) {
-  Bytes result(values);
-  const auto stride = layout.stride(axis);
-  for (int shift = 1; shift <= radius; ++shift) {
-    const std::size_t step = static_cast<std::size_t>(shift) * stride;
-    for (std::size_t n = step; n < values.size(); ++n) result[n] = choose(result[n], values[n - step]);
-    for (std::size_t n = 0; n + step < values.size(); ++n) result[n] = choose(result[n], values[n + step]);
+/// Flags points with a bond that may leave or enter a region, be it only on its way.
+void flag_region_surfaces(const Body& body, const Stencil& stencil, Bytes& special) {
+  double reach = 0.0;
+  for (const auto& [offset, conductance] : stencil.entries) {
+    reach = std::max(reach, std::hypot(offset[0], offset[1], offset[2]));
   }
-  return result;
-}
-
-/// Flags points whose surroundings hold another material, a void or an open face.
-void flag_material_changes(const Body& body, const PaddedGrid& layout, int radius, Bytes& special) {
-  const bool open = std::any_of(body.walls.begin(), body.walls.end(), [](const FaceWalls& w) { return w.open; });
-  if (body.regions.empty() && !open) return;
-  const Grid& grid = body.grid;
-  Bytes lowest(layout.size(), no_material);
-  const auto pad = [&](int axis) { return layout.padding(axis); };
-  for (int z = -pad(2); z < grid.count(2) + pad(2); ++z) {
-    for (int y = -pad(1); y < grid.count(1) + pad(1); ++y) {
-      for (int x = -pad(0); x < grid.count(0) + pad(0); ++x) {
-        lowest[layout.entry({x, y, z})] = body.material_of_extended({x, y, z});
-      }
+  // A bond to a fictitious point is folded back into the body and comes no farther.
+  reach *= (1.0 + 1e-6) * body.grid.spacing;
+  const auto count = static_cast<std::int64_t>(special.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t n = 0; n < count; ++n) {
+    const Point x = body.grid.position(body.grid.index(static_cast<std::size_t>(n)));
+    for (const MaterialRegion& region : body.regions) {
+      if (surface_within(region.shape, x, reach)) special[static_cast<std::size_t>(n)] = 1;
     }
-  }
-  Bytes highest = lowest;
-  for (int axis = 0; axis < grid.dimension; ++axis) {
-    lowest = filter(lowest, layout, axis, radius, [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
-    highest = filter(highest, layout, axis, radius, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
-  }
-  for (std::size_t n = 0; n < special.size(); ++n) {
-    const std::size_t entry = layout.entry(grid.index(n));
-    if (lowest[entry] != highest[entry]) special[n] = 1;
   }
 }
 
@@ -56,10 +37,11 @@ void for_box(const Grid& grid, const GridIndex& low, const GridIndex& high, Visi
   }
 }
 
-/// A face that is held in part changes the partners of bonds anywhere within its reach.
-void flag_partly_held_faces(const Body& body, int radius, Bytes& special) {
+/// A face that is held in part changes the partners of bonds anywhere within its reach; an open one ends them, and
+/// halves those to points that stand on it.
+void flag_changing_faces(const Body& body, int radius, Bytes& special) {
   for (int face = 0; face < 2 * body.grid.dimension; ++face) {
-    if (!body.walls[face].partly_held) continue;
+    if (!body.walls[face].partly_held && !body.walls[face].open) continue;
     GridIndex low{0, 0, 0};
     GridIndex high{body.grid.count(0) - 1, body.grid.count(1) - 1, body.grid.count(2) - 1};
     const int axis = axis_of(static_cast<Face>(face));
@@ -74,10 +56,10 @@ void flag_partly_held_faces(const Body& body, int radius, Bytes& special) {
 
 }  // namespace
 
-std::vector<std::uint8_t> find_special_points(const Body& body, const PaddedGrid& layout, const Stencil& stencil) {
+std::vector<std::uint8_t> find_special_points(const Body& body, const Stencil& stencil) {
   Bytes special(body.grid.size(), 0);
-  flag_material_changes(body, layout, stencil.radius, special);
-  flag_partly_held_faces(body, stencil.radius, special);
+  flag_region_surfaces(body, stencil, special);
+  flag_changing_faces(body, stencil.radius, special);
   for (const std::size_t point : points_near_cracks(body, stencil.radius)) special[point] = 1;
   return special;
 }

@@ -163,7 +163,8 @@ class StencilOperator final : public ConductionOperator {
     for (const StencilEntry& bond : stencil_.entries) {
       visit(entry + static_cast<std::size_t>(layout_.distance(bond.offset)), own * bond.conductance);
     }
-    const auto found = std::lower_bound(corrections_.rows.begin(), corrections_.rows.end(), static_cast<std::int64_t>(entry));
+    const auto found =
+        std::lower_bound(corrections_.rows.begin(), corrections_.rows.end(), static_cast<std::int64_t>(entry));
     if (found == corrections_.rows.end() || *found != static_cast<std::int64_t>(entry)) return;
     const auto row = static_cast<std::size_t>(found - corrections_.rows.begin());
     for (std::int64_t c = corrections_.row_begin[row]; c < corrections_.row_begin[row + 1]; ++c) {
@@ -179,8 +180,8 @@ class StencilOperator final : public ConductionOperator {
   std::vector<std::size_t> changing_points() const override {
     std::vector<std::size_t> points;
     for (const std::size_t c : corrections_.cuts.entries()) {
-      const auto next = std::upper_bound(corrections_.row_begin.begin(), corrections_.row_begin.end(),
-                                         static_cast<std::int64_t>(c));
+      const auto next =
+          std::upper_bound(corrections_.row_begin.begin(), corrections_.row_begin.end(), static_cast<std::int64_t>(c));
       points.push_back(static_cast<std::size_t>(
           corrections_.rows[static_cast<std::size_t>(next - corrections_.row_begin.begin()) - 1]));
     }
@@ -257,7 +258,8 @@ class StencilOperator final : public ConductionOperator {
       for (int row = 0; row < rows; row += block_rows) {
         kernels_.sum_block(program_, workspace.planes().data(), width, workspace.sums(), Workspace::stride());
         for (int r = row; r < std::min(rows, row + block_rows); ++r) {
-          combine_row(workspace.sums() + (r - row) * Workspace::stride(), rate_weight, terms, result, {x, y + r, z}, width);
+          combine_row(workspace.sums() + (r - row) * Workspace::stride(), rate_weight, terms, result, {x, y + r, z},
+                      width);
         }
         for (FoldedPlane& plane : workspace.planes()) plane.origin += block_rows * plane.stride;
       }

@@ -81,6 +81,8 @@ class EnergyObserver final : public Observer {
 
 }  // namespace
 
+std::string file_stem(const EnergyOutput&) { return "energy"; }
+
 std::unique_ptr<Observer> make_observer(const EnergyOutput&, const std::filesystem::path& folder) {
   return std::make_unique<EnergyObserver>(folder);
 }

@@ -32,7 +32,7 @@ Legend::Legend(const Snapshot& snapshot, const Section& section, const PictureOu
   const ValueRange range = find_range(section.values, options);
   map_ = choose_map(options.field, range);
   axis_ = value_axis(options.field, range.low, range.high, 8);
-  const double slack = 1e-6 * (range.high - range.low);
+  const double slack = 1e-3 * (range.high - range.low);  // Less than one step of the colours.
   for (const double value : section.values) {
     below_ = below_ || value < range.low - slack;
     above_ = above_ || value > range.high + slack;

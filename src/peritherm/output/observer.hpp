@@ -16,9 +16,9 @@ namespace peritherm {
 
 /// Heat that has entered through one boundary (or from sources) since the start.
 struct HeatAccount {
-  std::string name;       ///< "y_max temperature", "source", …
-  double heat = 0.0;      ///< since the start [J]
-  double heat_rate = 0.0; ///< now [W]
+  std::string name;        ///< "y_max temperature", "source", …
+  double heat = 0.0;       ///< since the start [J]
+  double heat_rate = 0.0;  ///< now [W]
 };
 
 /// What an observer may see, valid during the call. Fields have one entry per grid point, x fastest; points that
@@ -27,13 +27,13 @@ struct Snapshot {
   double time = 0.0;  ///< [s]
   const Grid& grid;
   std::string title;
-  ConstField temperature;                                   ///< [K] or [°C], held points included
-  std::span<const std::uint8_t> materials;                  ///< no_material (255) where cut away
+  ConstField temperature;                   ///< [K] or [°C], held points included
+  std::span<const std::uint8_t> materials;  ///< no_material (255) where cut away
   std::vector<std::string> material_names;
-  std::function<std::vector<Point>()> heat_flux;            ///< [W/m²]; computed when asked for
-  std::function<std::vector<double>()> damage;              ///< share of cut bonds, 0 to 1; computed when asked for
-  std::vector<std::vector<Point>> cracks;                   ///< outlines now: polylines, in 3-D closed polygons
-  double stored_heat = 0.0;                                 ///< Σ C T over the free points [J]
+  std::function<std::vector<Point>()> heat_flux;  ///< [W/m²]; computed when asked for
+  std::function<std::vector<double>()> damage;    ///< share of cut bonds, 0 to 1; computed when asked for
+  std::vector<std::vector<Point>> cracks;         ///< outlines now: polylines, in 3-D closed polygons
+  double stored_heat = 0.0;                       ///< Σ C T over the free points [J]
   std::vector<HeatAccount> accounts;
 };
 
@@ -78,6 +78,7 @@ struct VtkOutput {
 
 /// pictures/*.png with axes, colour bar, time and cracks.
 struct PictureOutput {
+  std::string stem;  ///< first part of the file names; empty: from field and slice
   FieldName field = FieldName::temperature;
   std::optional<Coordinates> range;  ///< lowest and highest value of the colour bar; none: those of the field
   int width = 1000;                  ///< [pixels]
@@ -88,6 +89,7 @@ struct PictureOutput {
   static constexpr std::string_view help = "pictures/*.png with axes, colour bar, time and cracks";
   static constexpr auto options() {
     return std::tuple{
+        optional("name", &PictureOutput::stem, "first part of the file names; default: from the field and the slice"),
         optional("field", &PictureOutput::field, "what to show; heat_flux shows its magnitude"),
         optional("range", &PictureOutput::range, "", any_number,
                  "lowest and highest value of the colour bar; default: those of the field"),
@@ -111,8 +113,7 @@ struct ProbeOutput {
   static constexpr std::string_view help = "a column of probes.csv: the temperature at a place, over time";
   static constexpr auto options() {
     return std::tuple{required("name", &ProbeOutput::column, "heading of the column"),
-                      required("at", &ProbeOutput::at, "m", any_number,
-                               "place; linear interpolation between points")};
+                      required("at", &ProbeOutput::at, "m", any_number, "place; linear interpolation between points")};
   }
   bool operator==(const ProbeOutput&) const = default;
 };
@@ -124,6 +125,12 @@ struct EnergyOutput {
   static constexpr auto options() { return std::tuple{}; }
   bool operator==(const EnergyOutput&) const = default;
 };
+
+/// First part of the names of the files that an output writes; two outputs must not share it.
+std::string file_stem(const VtkOutput& options);
+std::string file_stem(const PictureOutput& options);
+std::string file_stem(const ProbeOutput& options);
+std::string file_stem(const EnergyOutput& options);
 
 using OutputKind = std::variant<VtkOutput, PictureOutput, ProbeOutput, EnergyOutput>;  ///< the list
 

@@ -8,15 +8,6 @@
 namespace peritherm {
 namespace {
 
-/// "temperature", or "temperature_x_0.002" for a chosen slice, so that several slices stand side by side.
-std::string file_stem(const PictureOutput& options, const Grid& grid) {
-  std::string stem(name_of(options.field));
-  if (grid.dimension < 3) return stem;
-  if (options.normal != AxisName::z || options.at) stem += '_' + std::string(name_of(options.normal));
-  if (options.at) stem += '_' + exact_text(*options.at);
-  return stem;
-}
-
 class PictureObserver final : public Observer {
  public:
   PictureObserver(PictureOutput options, std::filesystem::path folder)
@@ -26,8 +17,7 @@ class PictureObserver final : public Observer {
     const Section section = make_section(snapshot, options_);
     const bool curve = snapshot.grid.dimension == 1 && options_.field != FieldName::material;
     const Canvas canvas = curve ? draw_line_plot(snapshot, section, options_) : draw_field(snapshot, section, options_);
-    const std::string name =
-        file_stem(options_, snapshot.grid) + '_' + four_digits(static_cast<int>(files_.size())) + ".png";
+    const std::string name = file_stem(options_) + '_' + four_digits(static_cast<int>(files_.size())) + ".png";
     make_folder(folder_ / "pictures");
     canvas.write(folder_ / "pictures" / name);
     files_.push_back(folder_ / "pictures" / name);
@@ -42,6 +32,15 @@ class PictureObserver final : public Observer {
 };
 
 }  // namespace
+
+/// "temperature", or "temperature_x_0.002" for a chosen slice, so that several slices stand side by side.
+std::string file_stem(const PictureOutput& options) {
+  if (!options.stem.empty()) return options.stem;
+  std::string stem(name_of(options.field));
+  if (options.normal != AxisName::z || options.at) stem += '_' + std::string(name_of(options.normal));
+  if (options.at) stem += '_' + exact_text(*options.at);
+  return stem;
+}
 
 std::unique_ptr<Observer> make_observer(const PictureOutput& options, const std::filesystem::path& folder) {
   return std::make_unique<PictureObserver>(options, folder);

@@ -41,6 +41,8 @@ class ProbeObserver final : public Observer {
 
 }  // namespace
 
+std::string file_stem(const ProbeOutput& options) { return "probes." + options.column; }
+
 std::unique_ptr<Observer> make_probe_observer(const std::vector<ProbeOutput>& probes,
                                               const std::filesystem::path& folder) {
   return std::make_unique<ProbeObserver>(probes, folder);

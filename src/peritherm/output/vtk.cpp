@@ -157,7 +157,7 @@ class VtkObserver final : public Observer {
 
   void observe(const Snapshot& snapshot) override {
     make_folder(folder_ / "fields");
-    const std::string name = "fields/" + four_digits(count_) + ".vti";
+    const std::string name = member(count_);
     write_file(folder_ / name, [&](std::ostream& out) { write_image(out, snapshot, fields_); });
     ++count_;
     entries_ += "<DataSet timestep=\"" + exact_text(snapshot.time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
@@ -166,13 +166,16 @@ class VtkObserver final : public Observer {
                    "</Collection>\n</VTKFile>\n");
   }
 
-  /// The series only: it names its members.
   std::vector<std::filesystem::path> files() const override {
-    if (count_ == 0) return {};
-    return {folder_ / "fields.pvd"};
+    std::vector<std::filesystem::path> all;
+    if (count_ > 0) all.push_back(folder_ / "fields.pvd");
+    for (int n = 0; n < count_; ++n) all.push_back(folder_ / member(n));
+    return all;
   }
 
  private:
+  static std::string member(int number) { return "fields/" + four_digits(number) + ".vti"; }
+
   std::vector<FieldName> fields_;
   std::filesystem::path folder_;
   int count_ = 0;
@@ -180,6 +183,8 @@ class VtkObserver final : public Observer {
 };
 
 }  // namespace
+
+std::string file_stem(const VtkOutput&) { return "fields"; }
 
 std::unique_ptr<Observer> make_observer(const VtkOutput& options, const std::filesystem::path& folder) {
   return std::make_unique<VtkObserver>(options, folder);

@@ -40,12 +40,11 @@ struct HeldTemperature {
   static constexpr std::string_view name = "temperature";
   static constexpr std::string_view help = "held temperature";
   static constexpr auto options() {
-    return std::tuple{
-        required("value", &HeldTemperature::value, "K", any_number, "temperature, number or expression"),
-        optional("imposed", &HeldTemperature::imposed,
-                 "on a face: fictitious points outside (mirror, constant) or points inside (inner)"),
-        optional("thickness", &HeldTemperature::thickness, "m", positive,
-                 "depth of the layer that imposed = \"inner\" holds; default: one horizon")};
+    return std::tuple{required("value", &HeldTemperature::value, "K", any_number, "temperature, number or expression"),
+                      optional("imposed", &HeldTemperature::imposed,
+                               "on a face: fictitious points outside (mirror, constant) or points inside (inner)"),
+                      optional("thickness", &HeldTemperature::thickness, "m", positive,
+                               "depth of the layer that imposed = \"inner\" holds; default: one horizon")};
   }
   bool operator==(const HeldTemperature&) const = default;
 };
@@ -55,8 +54,8 @@ struct Insulated {
   static constexpr std::string_view name = "insulated";
   static constexpr std::string_view help = "no heat passes (what faces without a [[boundary]] are)";
   static constexpr auto options() {
-    return std::tuple{optional("imposed", &Insulated::imposed,
-                               "mirrored fictitious points outside, or nothing (natural)")};
+    return std::tuple{
+        optional("imposed", &Insulated::imposed, "mirrored fictitious points outside, or nothing (natural)")};
   }
   bool operator==(const Insulated&) const = default;
 };

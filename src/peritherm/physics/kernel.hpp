@@ -56,11 +56,10 @@ struct Kernel {
   KernelForm form = LinearKernel{};
   int exponent = 2;  ///< power of |ξ| in the denominator: 0, 1 or 2
   static constexpr auto options() {
-    return std::tuple{
-        required("", &Kernel::form, "shape of the micro-conductivity over s = |xi| / horizon"),
-        optional("exponent", &Kernel::exponent, "",
-                 Check{[](double v) { return v == 0.0 || v == 1.0 || v == 2.0; }, "must be 0, 1 or 2"},
-                 "power of |xi| in the denominator of the bond's conductance")};
+    return std::tuple{required("", &Kernel::form, "shape of the micro-conductivity over s = |xi| / horizon"),
+                      optional("exponent", &Kernel::exponent, "",
+                               Check{[](double v) { return v == 0.0 || v == 1.0 || v == 2.0; }, "must be 0, 1 or 2"},
+                               "power of |xi| in the denominator of the bond's conductance")};
   }
   bool operator==(const Kernel&) const = default;
 };

@@ -22,7 +22,7 @@ struct Material {
 /// Heat stored per volume and kelvin, ρ c [J/(m³ K)].
 inline double volumetric_heat_capacity(const Material& m) { return m.density * m.specific_heat; }
 
-using MaterialIndex = std::uint8_t;              ///< index into a list of materials
+using MaterialIndex = std::uint8_t;                ///< index into a list of materials
 inline constexpr MaterialIndex no_material = 255;  ///< cut away ("void")
 
 }  // namespace peritherm

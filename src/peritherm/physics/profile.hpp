@@ -13,7 +13,7 @@ namespace peritherm {
 struct Profile {
   std::variant<double, std::string> value = 0.0;
   Profile() = default;
-  Profile(double number) : value(number) {}                        // NOLINT: meant to convert
+  Profile(double number) : value(number) {}  // NOLINT: meant to convert
   explicit Profile(std::string expression) : value(std::move(expression)) {}
   bool is_number() const { return value.index() == 0; }
   bool operator==(const Profile&) const = default;

@@ -20,9 +20,33 @@ std::map<std::string, MaterialIndex> add_materials(const Problem& problem, Geome
 }
 
 std::string name_of_boundary(const BoundaryOptions& boundary, std::size_t number) {
-  const std::string type = std::visit([](const auto& condition) { return std::string(condition.name); }, boundary.condition);
-  const std::string place = boundary.face ? std::string(name_of(*boundary.face)) : "region " + std::to_string(number + 1);
+  const std::string type =
+      std::visit([](const auto& condition) { return std::string(condition.name); }, boundary.condition);
+  const std::string place =
+      boundary.face ? std::string(name_of(*boundary.face)) : "region " + std::to_string(number + 1);
   return place + " " + type;
+}
+
+/// In 2-D bonds through a tip stay whole. A tip on a face is moved out of the body, so that those along the face are cut.
+Crack reach_out(Crack crack, const Grid& grid) {
+  if (grid.dimension != 2 || crack.points.front() == crack.points.back()) return crack;
+  // Ten times what moves points off a crack, and far below any spacing.
+  const double reach = 1e-5 * grid.spacing;
+  const auto extend = [&](Coordinates& end, const Coordinates& inner) {
+    bool on_face = false;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double depth = end[axis] - grid.origin[axis];
+      on_face = on_face || std::abs(depth) < 1e-9 * grid.spacing ||
+                std::abs(depth - grid.length(axis)) < 1e-9 * grid.spacing;
+    }
+    const double length = std::hypot(end[0] - inner[0], end[1] - inner[1]);
+    for (int axis = 0; axis < 2 && on_face; ++axis) end[axis] += (end[axis] - inner[axis]) * reach / length;
+    return on_face;
+  };
+  const std::vector<Coordinates> points = crack.points;
+  extend(crack.points.back(), points[points.size() - 2]);
+  if (extend(crack.points.front(), points[1]) && crack.tip_speed) crack.start_time -= reach / *crack.tip_speed;
+  return crack;
 }
 
 WallKind wall_kind(const BoundaryCondition& condition) {
@@ -175,7 +199,8 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
     const double capacity = volumetric_heat_capacity(body.materials[points.materials[n]]) * points.volumes[n];
     inverse_capacities.push_back(geometry.held_by[point] < 0 ? 1.0 / capacity : 0.0);
   }
-  std::vector<std::int64_t> owned(points.entries.begin(), points.entries.begin() + static_cast<std::ptrdiff_t>(points.owned));
+  std::vector<std::int64_t> owned(points.entries.begin(),
+                                  points.entries.begin() + static_cast<std::ptrdiff_t>(points.owned));
   return make_bond_operator(make_bonds(points, options, calibration, BondTracer(body), partner), std::move(owned),
                             std::move(inverse_capacities), layout.size());
 }
@@ -224,9 +249,10 @@ Geometry make_geometry(const Problem& problem) {
   body.interface = problem.nonlocality.interface;
   const auto numbers = add_materials(problem, geometry);
   body.background = numbers.at(problem.body.material);
-  for (const BodyRegion& region : problem.body.regions) body.regions.push_back({region.shape, numbers.at(region.material)});
+  for (const BodyRegion& region : problem.body.regions)
+    body.regions.push_back({region.shape, numbers.at(region.material)});
   body.assign_materials();
-  for (const Crack& crack : problem.cracks) body.cracks.emplace_back(crack, body.grid.dimension, body.grid.spacing);
+  for (const Crack& crack : problem.cracks) body.cracks.emplace_back(reach_out(crack, body.grid), body.grid.dimension, body.grid.spacing);
   for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
     body.wall_kinds.push_back(wall_kind(problem.boundaries[b].condition));
     geometry.boundary_names.push_back(name_of_boundary(problem.boundaries[b], b));
@@ -257,7 +283,8 @@ Assembly assemble(const Problem& problem) {
   }
   parts.ghosts = std::make_unique<GhostLayer>(geometry.body, layout, geometry.held_by, depends_on_place);
   for (const WallSlots& slots : parts.ghosts->slots()) {
-    const auto* held = std::get_if<HeldTemperature>(&problem.boundaries[static_cast<std::size_t>(slots.boundary)].condition);
+    const auto* held =
+        std::get_if<HeldTemperature>(&problem.boundaries[static_cast<std::size_t>(slots.boundary)].condition);
     if (held != nullptr && slots.begin.size() > 1) parts.wall_temperatures.add(held->value, slots.places, slots.begin);
   }
   parts.exchanges = make_exchanges(problem, geometry, layout, parts.exchange_values);

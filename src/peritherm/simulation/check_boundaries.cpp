@@ -54,6 +54,10 @@ void check_condition(Checker& checker, const std::string& key, const BoundaryOpt
   if (std::holds_alternative<Insulated>(boundary.condition) && !boundary.face) {
     checker.add(key, "an insulated boundary needs a face", "Give face; inside the body use a [[crack]] or void");
   }
+  const auto* insulated = std::get_if<Insulated>(&boundary.condition);
+  if (insulated != nullptr && boundary.where && insulated->imposed == Outside::natural) {
+    checker.add(key + ".imposed", "\"natural\" applies to a whole face", "Leave where out, or choose \"mirror\"");
+  }
   const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
   if (held == nullptr) return;
   if (!boundary.face && held->imposed != HeldTemperature{}.imposed) {

@@ -106,6 +106,20 @@ void check_kind(Checker& checker, const std::string& key, const PictureOutput& p
 template <class Other>
 void check_kind(Checker&, const std::string&, const Other&) {}
 
+/// Probes share one table and have rules of their own.
+void check_file_names(Checker& checker) {
+  const auto& outputs = checker.problem.outputs;
+  std::set<std::string> stems;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const std::string stem = std::visit([](const auto& kind) { return file_stem(kind); }, outputs[i].kind);
+    if (std::holds_alternative<ProbeOutput>(outputs[i].kind) || stems.insert(stem).second) continue;
+    const bool picture = std::holds_alternative<PictureOutput>(outputs[i].kind);
+    checker.add(entry("output", i), "writes the same files as an earlier output, " + stem + "…",
+                picture ? "Give one of them a name, e.g. name = \"" + stem + "_close\""
+                        : "Merge the two, e.g. with times = [ … ]");
+  }
+}
+
 void check_probe_names(Checker& checker) {
   std::set<std::string> names;
   const auto& outputs = checker.problem.outputs;
@@ -141,6 +155,7 @@ void check_outputs(Checker& checker) {
     std::visit([&checker, &key](const auto& kind) { check_kind(checker, key, kind); }, outputs[i].kind);
   }
   check_probe_names(checker);
+  check_file_names(checker);
 }
 
 void check_numerics(Checker& checker) {

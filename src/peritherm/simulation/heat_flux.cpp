@@ -41,8 +41,8 @@ std::vector<Point> heat_flux(const Assembly& assembly, ConstField state) {
       result[n] = flux_at(assembly, state, entry, volume,
                           [side](double, const GridIndex& offset) { return offset[0] * side > 0; });
     } else {
-      result[n] = flux_at(assembly, state, entry, volume,
-                          [](double difference, const GridIndex&) { return difference > 0.0; });
+      result[n] =
+          flux_at(assembly, state, entry, volume, [](double difference, const GridIndex&) { return difference > 0.0; });
     }
   }
   return result;

@@ -105,8 +105,9 @@ std::vector<AppliedOverride> apply_overrides(toml::table& table, const std::vect
     try {
       applied.push_back({text, apply_override(table, text)});
     } catch (const Error& error) {
-      const Issue& issue = error.issues().front();
-      issues.push_back({{name_of_override(text), {}, 0, 0}, issue.problem, issue.hint});
+      Issue issue = error.issues().front();
+      issue.where.file = name_of_override(text);
+      issues.push_back(std::move(issue));
     }
   }
   return applied;

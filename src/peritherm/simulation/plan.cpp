@@ -1,3 +1,7 @@
+#include "peritherm/simulation/plan.hpp"
+
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -7,7 +11,6 @@
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/memory.hpp"
-#include "peritherm/simulation/plan.hpp"
 #include "peritherm/simulation/simulate.hpp"
 
 namespace peritherm {
@@ -17,6 +20,13 @@ namespace {
 constexpr double stencil_seconds_per_bond = 0.06e-9;
 constexpr double stencil_seconds_per_point = 3e-9;
 constexpr double list_seconds_per_bond = 1.3e-9;
+/// Below this, waiting for one another costs threads more than they gain, above all on a busy machine.
+constexpr double least_work_per_thread = 150e-6;
+
+StencilOptions stencil_options(const Problem& problem) {
+  return {problem.nonlocality.kernel, horizon_of(problem), problem.nonlocality.partial_volumes,
+          problem.nonlocality.calibration};
+}
 
 /// States that an integrator keeps beside the temperature.
 int state_count(const TimeStepping& integrator) {
@@ -58,6 +68,14 @@ void refuse_if_too_large(double bytes, const Grid& grid) {
               "Choose fewer cells, or run it on a machine with more memory", Fault::machine);
 }
 
+/// One evaluation on one thread.
+double evaluation_seconds(const Problem& problem, const Stencil& stencil) {
+  const auto points = static_cast<double>(make_grid(problem).size());
+  const double bonds = points * static_cast<double>(stencil.entries.size());
+  if (choose_backend(problem) == BackendName::bond) return bonds * list_seconds_per_bond;
+  return bonds * stencil_seconds_per_bond + points * stencil_seconds_per_point;
+}
+
 void estimate_costs(const Problem& problem, const Geometry& geometry, double fastest_rate, int threads, Plan& plan) {
   const auto* euler = std::get_if<ForwardEuler>(&problem.time.integrator);
   const auto* classical = std::get_if<RungeKutta4>(&problem.time.integrator);
@@ -69,12 +87,7 @@ void estimate_costs(const Problem& problem, const Geometry& geometry, double fas
   } else {
     plan.evaluations = std::ceil(problem.time.end / plan.step) * (classical != nullptr ? 4.0 : 1.0);
   }
-  const auto points = static_cast<double>(geometry.body.grid.size());
-  const auto bonds = points * static_cast<double>(geometry.stencil.entries.size());
-  const double evaluation = choose_backend(problem) == BackendName::bond
-                                ? bonds * list_seconds_per_bond
-                                : bonds * stencil_seconds_per_bond + points * stencil_seconds_per_point;
-  plan.duration = plan.evaluations * evaluation / threads;
+  plan.duration = plan.evaluations * evaluation_seconds(problem, geometry.stencil) / threads;
 }
 
 /// Bound of the fastest rate without building any operator.
@@ -92,8 +105,7 @@ namespace {
 
 double memory_estimate(const Problem& problem) {
   const Grid grid = make_grid(problem);
-  const StencilOptions options{problem.nonlocality.kernel, horizon_of(problem), problem.nonlocality.partial_volumes,
-                               problem.nonlocality.calibration};
+  const StencilOptions options = stencil_options(problem);
   const double ratio = options.horizon / grid.spacing;
   double bytes = bytes_of_fields(grid, static_cast<int>(std::ceil(ratio + 0.5)), state_count(problem.time.integrator));
   if (choose_backend(problem) == BackendName::bond) {
@@ -106,16 +118,28 @@ double memory_estimate(const Problem& problem) {
 
 void refuse_if_too_large(const Problem& problem) { refuse_if_too_large(memory_estimate(problem), make_grid(problem)); }
 
+int set_threads(const Problem& problem) {
+  int threads = problem.numerics.threads;
+  if (threads == 0) {
+    const double work = evaluation_seconds(
+        problem, make_stencil(stencil_options(problem), make_grid(problem).spacing, make_grid(problem).dimension));
+    threads = std::clamp(static_cast<int>(work / least_work_per_thread), 1, omp_get_num_procs());
+  }
+  omp_set_num_threads(threads);
+  return threads;
+}
+
 Plan make_plan(const Problem& problem, const Geometry& geometry, std::optional<double> fastest_rate, int threads) {
   const Body& body = geometry.body;
   Plan plan;
   plan.dimension = body.grid.dimension;
   plan.spacing = body.grid.spacing;
   plan.horizon = geometry.stencil_options.horizon;
-  plan.points = static_cast<std::size_t>(
-      std::count_if(body.material_of.begin(), body.material_of.end(), [](MaterialIndex m) { return m != no_material; }));
+  plan.points = static_cast<std::size_t>(std::count_if(body.material_of.begin(), body.material_of.end(),
+                                                       [](MaterialIndex m) { return m != no_material; }));
   plan.bonds = count_bonds(body, geometry.stencil);
-  for (const CutBond& cut : find_cut_bonds(body, geometry.stencil)) plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
+  for (const CutBond& cut : find_cut_bonds(body, geometry.stencil))
+    plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
   plan.backend = name_of(choose_backend(problem));
   plan.integrator = std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
   plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem)) + 24 * plan.cut_bonds * 2;

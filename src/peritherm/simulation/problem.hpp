@@ -88,9 +88,9 @@ struct HeatSource {
   Profile value;
   std::optional<Shape> where;
   static constexpr auto options() {
-    return std::tuple{required("value", &HeatSource::value, "W/m^3", any_number,
-                               "heat per volume and time, number or expression"),
-                      optional("where", &HeatSource::where, "which part of the body; default: all of it")};
+    return std::tuple{
+        required("value", &HeatSource::value, "W/m^3", any_number, "heat per volume and time, number or expression"),
+        optional("where", &HeatSource::where, "which part of the body; default: all of it")};
   }
   bool operator==(const HeatSource&) const = default;
 };
@@ -100,11 +100,10 @@ struct BoundaryOptions {
   std::optional<Shape> where;
   BoundaryCondition condition;
   static constexpr auto options() {
-    return std::tuple{
-        optional("face", &BoundaryOptions::face, "a face of the box"),
-        optional("where", &BoundaryOptions::where,
-                 "a set of points; together with face: the part of the face inside the shape"),
-        required("", &BoundaryOptions::condition, "what happens there")};
+    return std::tuple{optional("face", &BoundaryOptions::face, "a face of the box"),
+                      optional("where", &BoundaryOptions::where,
+                               "a set of points; together with face: the part of the face inside the shape"),
+                      required("", &BoundaryOptions::condition, "what happens there")};
   }
   bool operator==(const BoundaryOptions&) const = default;
 };
@@ -113,9 +112,9 @@ struct NumericsOptions {
   BackendName backend = BackendName::automatic;
   int threads = 0;
   static constexpr auto options() {
-    return std::tuple{optional("backend", &NumericsOptions::backend, "how conduction is evaluated"),
-                      optional("threads", &NumericsOptions::threads, "", not_negative,
-                               "number of threads; 0: all cores")};
+    return std::tuple{
+        optional("backend", &NumericsOptions::backend, "how conduction is evaluated"),
+        optional("threads", &NumericsOptions::threads, "", not_negative, "number of threads; 0: all cores")};
   }
   bool operator==(const NumericsOptions&) const = default;
 };

@@ -45,7 +45,9 @@ std::vector<Watch> make_watches(const Problem& problem, const std::filesystem::p
                             probes.push_back(probe);
                             merge(probe_times, times);
                           },
-                          [&](const auto& kind) { watches.push_back({make_observer(kind, folder), times}); }},
+                          [&](const auto& kind) {
+                            watches.push_back({make_observer(kind, folder), times});
+                          }},
                output.kind);
   }
   if (!probes.empty()) watches.push_back({make_probe_observer(probes, folder), probe_times});

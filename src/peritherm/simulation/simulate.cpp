@@ -1,7 +1,5 @@
 #include "peritherm/simulation/simulate.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <sstream>
 
 #include "peritherm/base/file.hpp"
+#include "peritherm/base/version.hpp"
 #include "peritherm/discretisation/damage.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/memory.hpp"
@@ -187,15 +186,16 @@ class March {
 
   void go() {
     start_ = Clock::now();
-    gallery_.show(0.0, state_, false);
+    show(0.0, false);
     double time = 0.0;
     for (const double next : gallery_.times()) {
       if (next <= time) continue;
-      const double reached = integrator_->advance(time, next, state_, [this](double now, ConstField) { return after_step(now); });
+      const double reached =
+          integrator_->advance(time, next, state_, [this](double now, ConstField) { return after_step(now); });
       time = reached;
       record(time);
       const bool stopped = reached < next;
-      gallery_.show(time, state_, stopped);
+      show(time, stopped);
       if (stopped) break;
     }
     summary_.status = time < problem_.time.end ? "stopped" : "completed";
@@ -207,10 +207,14 @@ class March {
     summary_.count = integrator_->count();
     summary_.energy_relative_residual = balance_.residual(state_);
     summary_.peak_memory_bytes = peak_memory();
-    summary_.files = gallery_.files();
   }
 
  private:
+  void show(double time, bool everybody) {
+    gallery_.show(time, state_, everybody);
+    summary_.files = gallery_.files();
+  }
+
   bool after_step(double now) {
     const auto [lowest, highest] = assembly_.system->extremes(state_);
     if (!std::isfinite(lowest) || !std::isfinite(highest)) report_not_finite(assembly_, state_, now);
@@ -234,12 +238,6 @@ class March {
 
 }  // namespace
 
-int set_threads(const Problem& problem) {
-  const int threads = problem.numerics.threads > 0 ? problem.numerics.threads : omp_get_num_procs();
-  omp_set_num_threads(threads);
-  return threads;
-}
-
 Plan plan(const Problem& problem) {
   refuse_if_too_large(problem);
   return make_plan(problem, make_geometry(problem), std::nullopt, set_threads(problem));
@@ -253,7 +251,9 @@ RunSummary run(const Problem& problem, const RunSettings& settings) {
   summary.plan = make_plan(problem, assembly.geometry, assembly.system->fastest_rate(), threads);
   prepare_folder(settings);
   if (settings.on_plan) settings.on_plan(summary.plan);
-  write_file(settings.folder / "resolved.toml", write_problem(problem));
+  write_file(settings.folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +
+                                                    "; running it again reproduces the run.\n" +
+                                                    write_problem(problem));
   March march(problem, settings, assembly, summary);
   try {
     march.go();

@@ -37,21 +37,21 @@ struct Progress {
 };
 
 struct RunSettings {
-  std::filesystem::path folder;                          ///< where results go; made if missing
-  bool overwrite = false;                                ///< results that are there may be replaced
-  std::function<void(const Plan&)> on_plan;              ///< before the march
-  std::function<void(const Progress&)> on_progress;      ///< after each step
-  std::function<bool()> stop_requested;                  ///< asked after each step; true ends the run there
+  std::filesystem::path folder;                      ///< where results go; made if missing
+  bool overwrite = false;                            ///< results that are there may be replaced
+  std::function<void(const Plan&)> on_plan;          ///< before the march
+  std::function<void(const Progress&)> on_progress;  ///< after each step
+  std::function<bool()> stop_requested;              ///< asked after each step; true ends the run there
 };
 
 struct RunSummary {
   Plan plan;
   StepCount count;
-  double wall = 0.0;                    ///< [s]
-  double end_time = 0.0;                ///< reached [s]
+  double wall = 0.0;      ///< [s]
+  double end_time = 0.0;  ///< reached [s]
   double energy_relative_residual = 0.0;
   std::size_t peak_memory_bytes = 0;
-  std::string status;                   ///< "completed" or "stopped"
+  std::string status;  ///< "completed" or "stopped"
   std::vector<std::filesystem::path> files;
 };
 

@@ -23,8 +23,8 @@ HeatSystem::HeatSystem(HeatSystemParts parts) : parts_(std::move(parts)), field_
   for (Account& account : accounts_) {
     if (account.boundary < 0) continue;
     for (const std::int64_t entry : parts_.near_held[static_cast<std::size_t>(account.boundary)]) {
-      account.changes = account.changes ||
-                        std::binary_search(changing.begin(), changing.end(), static_cast<std::size_t>(entry));
+      account.changes =
+          account.changes || std::binary_search(changing.begin(), changing.end(), static_cast<std::size_t>(entry));
     }
     measure(account);
   }
@@ -208,7 +208,8 @@ std::size_t HeatSystem::bytes() const {
   std::size_t bytes = parts_.conduction->bytes() + parts_.ghosts->bytes() + load_.capacity() * sizeof(double) +
                       parts_.exchanges.capacity() * sizeof(SurfaceExchange);
   for (const HeatedPart& part : parts_.sources) bytes += part.points.capacity() * sizeof(SourcePoint);
-  for (const Account& account : accounts_) bytes += account.entries.capacity() * (sizeof(std::int64_t) + sizeof(double));
+  for (const Account& account : accounts_)
+    bytes += account.entries.capacity() * (sizeof(std::int64_t) + sizeof(double));
   return bytes;
 }
 

@@ -38,13 +38,13 @@ struct HeatedPart {
 struct HeatSystemParts {
   std::unique_ptr<ConductionOperator> conduction;
   std::unique_ptr<GhostLayer> ghosts;
-  PrescribedValues wall_temperatures;             ///< as the ghost layer numbers them
+  PrescribedValues wall_temperatures;  ///< as the ghost layer numbers them
   std::vector<SurfaceExchange> exchanges;
   PrescribedValues exchange_values;
   std::vector<HeatedPart> sources;
-  std::vector<std::string> boundary_names;        ///< per boundary index
+  std::vector<std::string> boundary_names;           ///< per boundary index
   std::vector<std::vector<std::int64_t>> near_held;  ///< per boundary: entries of points that may touch what it holds
-  double spectral_bound = 0.0;                    ///< known bound of the fastest rate of conduction [1/s]; 0: none
+  double spectral_bound = 0.0;                       ///< known bound of the fastest rate of conduction [1/s]; 0: none
 };
 
 /// C dT/dt = conduction + boundaries + sources on any set of points.
@@ -89,8 +89,8 @@ class HeatSystem final : public ThermalSystem {
   HeatSystemParts parts_;
   std::size_t field_size_;
   std::vector<Account> accounts_;
-  std::vector<double> load_;             ///< rate from sources [K/s]; empty without sources
-  double source_heat_rate_ = 0.0;        ///< [W]
+  std::vector<double> load_;       ///< rate from sources [K/s]; empty without sources
+  double source_heat_rate_ = 0.0;  ///< [W]
   double load_time_ = 0.0;
   bool load_fresh_ = false;
   bool sources_change_ = false;

@@ -1,0 +1,43 @@
+#include "check_property.hpp"
+#include "measured_body.hpp"
+#include "peritherm/integrators/integrator.hpp"
+
+namespace peritherm {
+namespace {
+
+/// Runs a few steps; what is stored must have come in through the accounts.
+void expect_balance(const Problem& problem, BackendName backend, const TimeStepping& stepping) {
+  const MeasuredBody body = measure(problem, backend);
+  RC_PRE(body.system().fastest_rate() > 0.0);
+  std::vector<double> state = initial_state(problem, body.assembly);
+  const double before = body.system().stored_heat(state);
+  const auto integrator = make_integrator(stepping, body.system());
+  double largest = largest_size(state), longest = 0.0, time_before = 0.0;
+  int steps = 0;
+  integrator->advance(0.0, problem.time.end, state, [&](double time, ConstField temperature) {
+    longest = std::max(longest, time - time_before);
+    time_before = time;
+    largest = std::max(largest, largest_size(temperature.first(body.assembly.layout.size())));
+    return ++steps < 8;
+  });
+  double heats = 0.0;
+  for (const double heat : body.system().account_heats(state)) heats += heat;
+  double capacity = 0.0;
+  for (const double value : body.capacities) capacity += value;
+  // Every evaluation may lose the rounding of its terms, and every stage that of what is stored.
+  const auto evaluations = static_cast<double>(integrator->count().evaluations);
+  const double tolerance = evaluations * (longest * body.heat_rounding(largest) + rounding(body.entries.size(), capacity * largest));
+  RC_ASSERT(std::abs(body.system().stored_heat(state) - before - heats) <= tolerance);
+}
+
+TEST(Energy, what_is_stored_has_come_in_through_the_boundaries_and_sources) {
+  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
+    const Problem problem = *random_problem(request);
+    const TimeStepping steppings[] = {RungeKuttaLegendre{1e-4}, RungeKutta4{}, ForwardEuler{}};
+    const BackendName backend = draw_chance(50) ? BackendName::stencil : BackendName::bond;
+    for (const TimeStepping& stepping : steppings) expect_balance(problem, backend, stepping);
+  });
+}
+
+}  // namespace
+}  // namespace peritherm

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include "support/order_of_convergence.hpp"
+#include "support/run_problem.hpp"
+
+namespace peritherm {
+namespace {
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n) largest = std::max(largest, std::abs(a[n] - b[n]));
+  return largest;
+}
+
+/// Everything that may change in time does: held ends, flux, surroundings, sources.
+Problem changing_plate() {
+  Problem problem = unit_body(2, 8, 2.0);
+  problem.initial.temperature = Profile("x + cos(pi*y)");
+  set_face(problem, Face::x_min, held_at(Profile("sin(5*t) + cos(pi*y)")));
+  set_face(problem, Face::x_max, PrescribedFlux{Profile("1 + y*sin(20*t)")});
+  set_face(problem, Face::y_max, Convection{2.0, Profile("exp(-4*t)*x")});
+  problem.sources.push_back({Profile("30*x*cos(15*t)"), std::nullopt});
+  return problem;
+}
+
+/// A crack whose tip passes a row of points every 0.0125 s and cuts bonds much more often.
+Problem cracking_plate() {
+  Problem problem = unit_body(2, 8, 3.0);
+  problem.initial.temperature = Profile("y");
+  set_face(problem, Face::y_min, held_at(0.0));
+  set_face(problem, Face::y_max, held_at(1.0));
+  Crack crack;
+  crack.points = {{0.1, 0.47}, {0.9, 0.53}};
+  crack.tip_speed = 10.0;
+  problem.cracks.push_back(crack);
+  return problem;
+}
+
+std::vector<double> solve(Problem problem, const TimeStepping& integrator, double end) {
+  problem.time.integrator = integrator;
+  March run(std::move(problem));
+  run.advance_to(end);
+  return run.temperatures();
+}
+
+template <class Integrator>
+double order_in_the_step(const Problem& problem, double end, const std::vector<int>& step_counts) {
+  const std::vector<double> reference = solve(problem, RungeKutta4{end / (4 * step_counts.back()), 0.9}, end);
+  std::vector<double> steps;
+  std::vector<double> errors;
+  for (const int count : step_counts) {
+    steps.push_back(end / count);
+    errors.push_back(largest_difference(solve(problem, Integrator{end / count, 0.9}, end), reference));
+  }
+  return order_of_convergence(steps, errors);
+}
+
+TEST(TemporalOrder, forward_euler_is_of_first_order) {
+  EXPECT_NEAR(order_in_the_step<ForwardEuler>(changing_plate(), 0.2, {200, 400, 800}), 1.0, 0.1);
+}
+
+TEST(TemporalOrder, the_classical_runge_kutta_method_is_of_fourth_order) {
+  EXPECT_NEAR(order_in_the_step<RungeKutta4>(changing_plate(), 0.2, {160, 320, 640}), 4.0, 0.1);
+}
+
+TEST(TemporalOrder, runge_kutta_legendre_is_of_second_order_in_its_mean_step) {
+  const double end = 0.2;
+  const std::vector<double> reference = solve(changing_plate(), RungeKutta4{end / 1000, 0.9}, end);
+  std::vector<double> steps;
+  std::vector<double> errors;
+  for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9}) {
+    Problem problem = changing_plate();
+    problem.time.integrator = RungeKuttaLegendre{tolerance};
+    March run(std::move(problem));
+    run.advance_to(end);
+    steps.push_back(end / static_cast<double>(run.count().accepted));
+    errors.push_back(largest_difference(run.temperatures(), reference));
+    // Errors per step add up at most.
+    EXPECT_LT(errors.back(), 10.0 * tolerance * static_cast<double>(run.count().accepted));
+  }
+  // Steps differ along the way, so the mean is a coarser measure than a fixed step.
+  EXPECT_NEAR(order_of_convergence(steps, errors), 2.0, 0.2);
+}
+
+TEST(TemporalOrder, growing_cracks_leave_fixed_steps_at_second_order) {
+  const Problem problem = cracking_plate();
+  const double end = 0.1;
+  const std::vector<double> reference = solve(problem, RungeKutta4{end / 20000, 0.9}, end);
+  std::vector<double> steps;
+  std::vector<double> errors;
+  for (const int count : {25, 50, 100, 200}) {
+    steps.push_back(end / count);
+    errors.push_back(largest_difference(solve(problem, RungeKutta4{end / count, 0.9}, end), reference));
+  }
+  // Cuts fall differently into the steps of every refinement, so the order is at least two on the whole only.
+  EXPECT_GT(order_of_convergence(steps, errors), 1.8);
+}
+
+TEST(TemporalOrder, growing_cracks_leave_error_control_in_charge) {
+  const Problem problem = cracking_plate();
+  const double end = 0.1;
+  const std::vector<double> reference = solve(problem, RungeKutta4{end / 20000, 0.9}, end);
+  std::vector<double> errors;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    errors.push_back(largest_difference(solve(problem, RungeKuttaLegendre{tolerance}, end), reference));
+  }
+  // Second order: the error falls like tolerance^(2/3), 21 times from one to the next.
+  EXPECT_LT(errors[1], errors[0] / 10.0);
+  EXPECT_LT(errors[2], errors[1] / 10.0);
+}
+
+}  // namespace
+}  // namespace peritherm
