@@ -26,7 +26,8 @@ void expect_balance(const Problem& problem, BackendName backend, const TimeStepp
   for (const double value : body.capacities) capacity += value;
   // Every evaluation may lose the rounding of its terms, and every stage that of what is stored.
   const auto evaluations = static_cast<double>(integrator->count().evaluations);
-  const double tolerance = evaluations * (longest * body.heat_rounding(largest) + rounding(body.entries.size(), capacity * largest));
+  const double tolerance =
+      evaluations * (longest * body.heat_rounding(largest) + rounding(body.entries.size(), capacity * largest));
   RC_ASSERT(std::abs(body.system().stored_heat(state) - before - heats) <= tolerance);
 }
 

@@ -51,7 +51,8 @@ inline MeasuredBody measure(Problem problem, BackendName backend) {
   }
   PrescribedValues values;
   for (const SurfaceExchange& exchange : make_exchanges(problem, geometry, body.assembly.layout, values)) {
-    const auto place = std::lower_bound(body.entries.begin(), body.entries.end(), static_cast<std::size_t>(exchange.entry));
+    const auto place =
+        std::lower_bound(body.entries.begin(), body.entries.end(), static_cast<std::size_t>(exchange.entry));
     body.rate_scales[static_cast<std::size_t>(place - body.entries.begin())] +=
         (exchange.convective ? 2.0 : 1.0) * std::abs(exchange.gain) * exchange.inverse_capacity;
   }

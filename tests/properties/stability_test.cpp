@@ -4,8 +4,8 @@
 namespace peritherm {
 namespace {
 
-/// An odd mirror image may take more from a point than the point itself gives: where a crack, a void or another material
-/// weakens the direct bond only, and where two held faces meet. Elsewhere extremes are kept.
+/// An odd mirror image may take more from a point than the point itself gives: where a crack, a void or another
+/// material weakens the direct bond only, and where two held faces meet. Elsewhere extremes are kept.
 void replace_odd_mirrors(Problem& problem) {
   for (BoundaryOptions& boundary : problem.boundaries) {
     auto* held = std::get_if<HeldTemperature>(&boundary.condition);
@@ -40,9 +40,11 @@ double largest_loss(const MeasuredBody& body) {
 }
 
 void expect_extremes_kept(const MeasuredBody& body) {
-  RC_PRE(!body.entries.empty());
+  const double loss = largest_loss(body);
+  // Cracks and voids may have cut every bond.
+  if (loss <= rounding(body.terms(), largest_size(body.rate_scales))) return;
   // At this step the own share of the fastest point reaches 0 and every other share is still positive.
-  const double step = 1.0 / std::max(largest_loss(body), 1e-300);
+  const double step = 1.0 / loss;
   std::vector<double> state = random_state(body.system().size(), draw(0, 1000));
   body.system().fill(0.0, state);
   const auto [lowest, highest] = body.system().extremes(state);
@@ -58,7 +60,7 @@ void expect_extremes_kept(const MeasuredBody& body) {
 }
 
 TEST(Stability, short_steps_keep_temperatures_between_their_extremes) {
-  check_for_every_kernel({6, 3, 1}, [](BodyRequest request) {
+  check_for_every_kernel({4, 3, 1}, [](BodyRequest request) {
     request.expressions = false;
     request.fewest_cells = 4;
     request.most_cells = request.dimension == 3 ? 5 : 9;
@@ -111,7 +113,7 @@ double rayleigh_quotient(const MeasuredBody& body, int iterations) {
 }
 
 TEST(Stability, nothing_decays_faster_than_the_fastest_rate) {
-  check_for_every_kernel({6, 4, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
     Problem problem = *random_problem(request);
     surround_with(problem, 0.0);
     for (const BackendName backend : both_backends) {
@@ -124,8 +126,8 @@ TEST(Stability, nothing_decays_faster_than_the_fastest_rate) {
 
 /// Largest Σ G (1 − cos k·ξ) over a mesh of wave vectors from 0 to π along each axis.
 double largest_symbol_found(const Stencil& stencil, int dimension) {
-  constexpr int steps = 40;
-  const auto cosine = [](int step, int offset) { return std::cos(std::numbers::pi * step * offset / steps); };
+  const int steps = dimension == 3 ? 40 : 200;
+  const auto cosine = [steps](int step, int offset) { return std::cos(std::numbers::pi * step * offset / steps); };
   double largest = 0.0;
   for (int z = 0; z <= (dimension > 2 ? steps : 0); ++z) {
     for (int y = 0; y <= (dimension > 1 ? steps : 0); ++y) {

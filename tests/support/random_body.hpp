@@ -31,9 +31,7 @@ struct BodyRequest {
 };
 
 /// Draws one number; to be called while RapidCheck generates. Shrinks towards `low`.
-inline int draw(int low, int high) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
-}
+inline int draw(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); }
 inline bool draw_chance(int percent) { return draw(0, 99) >= 100 - percent; }
 inline double draw_real(double low, double high) { return low + (high - low) * draw(0, 999983) / 999983.0; }
 template <class Enum>
@@ -79,9 +77,10 @@ class BodyDraw {
     spacing_ = draw_chance(50) ? 1.0 : 2.5e-3;
     body.cells.emplace();
     body.origin.emplace();
-    const int most = dimension_ == 3 ? std::min(8, request_.most_cells) : request_.most_cells;
+    const int most = dimension_ == 3 ? std::min(7, request_.most_cells) : request_.most_cells;
+    const int fewest = dimension_ == 3 ? std::min(5, request_.fewest_cells) : request_.fewest_cells;
     for (int axis = 0; axis < dimension_; ++axis) {
-      body.cells->push_back(draw(std::min(request_.fewest_cells, most), most));
+      body.cells->push_back(draw(std::min(fewest, most), most));
       body.size.push_back(spacing_ * body.cells->back());
       body.origin->push_back(spacing_ * draw(-8, 8) / 4.0);
     }
@@ -93,7 +92,7 @@ class BodyDraw {
     NonlocalityOptions& options = problem_.nonlocality;
     const int fewest = *std::min_element(problem_.body.cells->begin(), problem_.body.cells->end());
     // Few large horizons in 3-D: bonds grow with the third power.
-    const double largest = std::min(dimension_ == 3 && !draw_chance(10) ? 2.3 : 4.0, fewest - 0.5);
+    const double largest = std::min(dimension_ == 3 && !draw_chance(5) ? 2.1 : 4.0, fewest - 0.5);
     options.horizon_ratio = draw_chance(40) ? std::floor(draw_real(1.0, largest + 0.999)) : draw_real(1.0, largest);
     options.horizon_ratio = std::min(*options.horizon_ratio, largest);
     options.kernel = request_.kernel;
@@ -130,7 +129,8 @@ class BodyDraw {
       const double from = lower(axis) + draw_real(0.0, 1.0) * (length(axis) - width);
       // Half of the edges lie where points or the edges of cells are.
       const bool snaps = request_.ties && draw_chance(50);
-      const double begin = snaps ? lower(axis) + std::round((from - lower(axis)) / spacing_ * 2.0) / 2.0 * spacing_ : from;
+      const double begin =
+          snaps ? lower(axis) + std::round((from - lower(axis)) / spacing_ * 2.0) / 2.0 * spacing_ : from;
       box.from.push_back(begin);
       box.to.push_back(begin + width);
     }
@@ -226,7 +226,9 @@ class BodyDraw {
   }
 
   /// A coordinate on a row of points or half way between two.
-  double draw_row(int axis) { return lower(axis) + 0.5 * spacing_ * std::round(2.0 * draw_real(0.1, 0.9) * length(axis) / spacing_); }
+  double draw_row(int axis) {
+    return lower(axis) + 0.5 * spacing_ * std::round(2.0 * draw_real(0.1, 0.9) * length(axis) / spacing_);
+  }
 
   void draw_crack() {
     Crack crack;
@@ -297,8 +299,8 @@ inline rc::Gen<Problem> random_problem(const BodyRequest& request) {
 /// Every kernel form with every exponent.
 inline std::vector<Kernel> all_kernels() {
   std::vector<Kernel> kernels;
-  for (const KernelForm& form :
-       {KernelForm{ConstantKernel{}}, KernelForm{LinearKernel{}}, KernelForm{QuadraticKernel{}}, KernelForm{GaussianKernel{}}}) {
+  for (const KernelForm& form : {KernelForm{ConstantKernel{}}, KernelForm{LinearKernel{}},
+                                 KernelForm{QuadraticKernel{}}, KernelForm{GaussianKernel{}}}) {
     for (const int exponent : {0, 1, 2}) kernels.push_back({form, exponent});
   }
   return kernels;

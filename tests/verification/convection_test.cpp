@@ -23,8 +23,10 @@ TEST(Convection, a_body_without_inner_resistance_cools_as_a_lump) {
       March run(problem);
       const double time = 0.2;
       run.advance_to(time);
-      // Inner resistance and that of the layer that takes up the heat are a Biot number each, in each direction; errors per step add up.
-      const double tolerance = 80.0 * (2.0 * dimension / conductivity + 1e-6 * static_cast<double>(run.count().accepted));
+      // Inner resistance and that of the layer that takes up the heat are a Biot number each, in each direction; errors
+      // per step add up.
+      const double tolerance =
+          80.0 * (2.0 * dimension / conductivity + 1e-6 * static_cast<double>(run.count().accepted));
       const double expected = lumped_convection(100.0, 20.0, 2.0 * dimension, time);
       for (const double value : run.temperatures()) ASSERT_NEAR(value, expected, tolerance) << dimension;
     }

@@ -86,7 +86,7 @@ double manufactured_error(int dimension, int cells, PointPlacement points) {
   const std::string shape = shapes[dimension - 1];
   problem.initial.temperature = Profile(shape);
   problem.sources.push_back({Profile("(" + std::to_string(dimension) + "*pi^2 - 1)*exp(-t)*" + shape), std::nullopt});
-  problem.time.integrator = RungeKuttaLegendre{1e-7};
+  problem.time.integrator = RungeKuttaLegendre{1e-6};
   March run(problem);
   const double end = 0.3;
   run.advance_to(end);
@@ -103,7 +103,6 @@ TEST(HeatSource, a_manufactured_solution_converges_with_order_two) {
       std::vector<double> spacings;
       std::vector<double> errors;
       for (const int cells : {8, 16, 32}) {
-        if (dimension == 3 && cells == 32 && points == PointPlacement::centres) continue;
         spacings.push_back(1.0 / cells);
         errors.push_back(manufactured_error(dimension, cells, points));
       }

@@ -16,6 +16,7 @@ double distance_between(const Point& a, const Point& b) {
 Bonds make_bonds(const Points& points, const StencilOptions& options, double calibration, const BondTracer& tracer,
                  const std::function<std::size_t(std::size_t, std::size_t)>& partner) {
   const Neighbours pairs = find_neighbours(points, reach(options.partial_volumes, options.horizon, points.spacing));
+  const CellConductance conductance(options, points.spacing, points.dimension);
   const double cell = std::pow(points.spacing, points.dimension);
   Bonds bonds;
   bonds.row_begin.push_back(0);
@@ -24,8 +25,8 @@ Bonds make_bonds(const Points& points, const StencilOptions& options, double cal
     for (BondIndex b = pairs.row_begin[i]; b < pairs.row_begin[i + 1]; ++b) {
       const auto j = static_cast<std::size_t>(pairs.points[b]);
       const double distance = distance_between(points.positions[i], points.positions[j]);
-      const double unit = calibration * cell_conductance(options, distance, points.spacing, points.dimension) *
-                          (points.volumes[i] / cell) * (points.source_volumes[j] / cell);
+      const double unit =
+          calibration * conductance(distance) * (points.volumes[i] / cell) * (points.source_volumes[j] / cell);
       if (unit == 0.0) continue;
       tracer.trace(points.positions[i], points.materials[i], points.positions[j], points.materials[j], path);
       const double full = unit * path.conductivity;

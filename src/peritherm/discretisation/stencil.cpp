@@ -18,21 +18,12 @@ double power(double base, int exponent) {
 
 int square_of(const GridIndex& o) { return o[0] * o[0] + o[1] * o[1] + o[2] * o[2]; }
 
-double conductance(const StencilOptions& options, double amplitude, double distance, double spacing, int dimension) {
-  const CoveredCell cell = covered_cell(options.partial_volumes, distance, options.horizon, spacing);
-  if (cell.share <= 0.0) return 0.0;
-  const double micro_conductivity = amplitude * shape(options.kernel, cell.kernel_distance / options.horizon) /
-                                    power(distance, options.kernel.exponent);
-  return micro_conductivity * cell.share * power(spacing, 2 * dimension);
-}
-
 /// Conductance of every offset by its squared length: equal lengths conduct alike to the last bit.
 std::vector<double> conductances_by_square(const StencilOptions& options, double spacing, int dimension, int limit) {
-  const double amplitude = micro_conductivity_amplitude(options.kernel, 1.0, options.horizon, dimension);
+  const CellConductance conductance(options, spacing, dimension);
   std::vector<double> table(static_cast<std::size_t>(limit) * limit * dimension + 1, 0.0);
   for (std::size_t square = 1; square < table.size(); ++square) {
-    const double distance = std::sqrt(static_cast<double>(square)) * spacing;
-    table[square] = conductance(options, amplitude, distance, spacing, dimension);
+    table[square] = conductance(std::sqrt(static_cast<double>(square)) * spacing);
   }
   return table;
 }
@@ -85,9 +76,18 @@ std::vector<double> cosine_table(int count, int waves) {
 
 }  // namespace
 
-double cell_conductance(const StencilOptions& options, double distance, double spacing, int dimension) {
-  const double amplitude = micro_conductivity_amplitude(options.kernel, 1.0, options.horizon, dimension);
-  return conductance(options, amplitude, distance, spacing, dimension);
+CellConductance::CellConductance(const StencilOptions& options, double spacing, int dimension)
+    : options_(options),
+      amplitude_(micro_conductivity_amplitude(options.kernel, 1.0, options.horizon, dimension)),
+      spacing_(spacing),
+      dimension_(dimension) {}
+
+double CellConductance::operator()(double distance) const {
+  const CoveredCell cell = covered_cell(options_.partial_volumes, distance, options_.horizon, spacing_);
+  if (cell.share <= 0.0) return 0.0;
+  const double micro_conductivity = amplitude_ * shape(options_.kernel, cell.kernel_distance / options_.horizon) /
+                                    power(distance, options_.kernel.exponent);
+  return micro_conductivity * cell.share * power(spacing_, 2 * dimension_);
 }
 
 Stencil make_stencil(const StencilOptions& options, double spacing, int dimension) {

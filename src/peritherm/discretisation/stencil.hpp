@@ -41,8 +41,18 @@ struct StencilOptions {
   Calibration calibration = Calibration::discrete;
 };
 
-/// Conductance κ(ξ) V² of a bond of this length between whole cells of unit conductivity, before calibration.
-double cell_conductance(const StencilOptions& options, double distance, double spacing, int dimension);
+/// Conductance κ(ξ) V² of bonds between whole cells of unit conductivity, before calibration, by their length [m].
+class CellConductance {
+ public:
+  CellConductance(const StencilOptions& options, double spacing, int dimension);
+  double operator()(double distance) const;
+
+ private:
+  StencilOptions options_;
+  double amplitude_;
+  double spacing_;
+  int dimension_;
+};
 
 /// Throws Error if the horizon reaches no neighbour.
 Stencil make_stencil(const StencilOptions& options, double spacing, int dimension);

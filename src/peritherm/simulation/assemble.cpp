@@ -27,7 +27,8 @@ std::string name_of_boundary(const BoundaryOptions& boundary, std::size_t number
   return place + " " + type;
 }
 
-/// In 2-D bonds through a tip stay whole. A tip on a face is moved out of the body, so that those along the face are cut.
+/// In 2-D bonds through a tip stay whole. A tip on a face is moved out of the body, so that those along the face are
+/// cut.
 Crack reach_out(Crack crack, const Grid& grid) {
   if (grid.dimension != 2 || crack.points.front() == crack.points.back()) return crack;
   // Ten times what moves points off a crack, and far below any spacing.
@@ -36,8 +37,8 @@ Crack reach_out(Crack crack, const Grid& grid) {
     bool on_face = false;
     for (int axis = 0; axis < 2; ++axis) {
       const double depth = end[axis] - grid.origin[axis];
-      on_face = on_face || std::abs(depth) < 1e-9 * grid.spacing ||
-                std::abs(depth - grid.length(axis)) < 1e-9 * grid.spacing;
+      on_face =
+          on_face || std::abs(depth) < 1e-9 * grid.spacing || std::abs(depth - grid.length(axis)) < 1e-9 * grid.spacing;
     }
     const double length = std::hypot(end[0] - inner[0], end[1] - inner[1]);
     for (int axis = 0; axis < 2 && on_face; ++axis) end[axis] += (end[axis] - inner[axis]) * reach / length;
@@ -45,7 +46,9 @@ Crack reach_out(Crack crack, const Grid& grid) {
   };
   const std::vector<Coordinates> points = crack.points;
   extend(crack.points.back(), points[points.size() - 2]);
-  if (extend(crack.points.front(), points[1]) && crack.tip_speed) crack.start_time -= reach / *crack.tip_speed;
+  if (extend(crack.points.front(), points[1]) && crack.tip_speed) {
+    crack.start_time = std::max(0.0, crack.start_time - reach / *crack.tip_speed);
+  }
   return crack;
 }
 
@@ -216,7 +219,12 @@ double spectral_bound(const Geometry& geometry) {
   }
   // A path of resistors in series may pass a better conductor that holds neither of its ends.
   if (body.interface == InterfaceRule::length_weighted_harmonic) {
-    for (const Material& material : body.materials) conductivity = std::max(conductivity, material.conductivity);
+    conductivity = std::max(conductivity, body.materials[body.background].conductivity);
+    for (const MaterialRegion& region : body.regions) {
+      if (region.material != no_material) {
+        conductivity = std::max(conductivity, body.materials[region.material].conductivity);
+      }
+    }
   }
   return conductivity * largest_symbol(geometry.stencil, body.grid.dimension) / (capacity * body.grid.cell_volume());
 }
@@ -252,7 +260,8 @@ Geometry make_geometry(const Problem& problem) {
   for (const BodyRegion& region : problem.body.regions)
     body.regions.push_back({region.shape, numbers.at(region.material)});
   body.assign_materials();
-  for (const Crack& crack : problem.cracks) body.cracks.emplace_back(reach_out(crack, body.grid), body.grid.dimension, body.grid.spacing);
+  for (const Crack& crack : problem.cracks)
+    body.cracks.emplace_back(reach_out(crack, body.grid), body.grid.dimension, body.grid.spacing);
   for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
     body.wall_kinds.push_back(wall_kind(problem.boundaries[b].condition));
     geometry.boundary_names.push_back(name_of_boundary(problem.boundaries[b], b));

@@ -4,7 +4,7 @@ namespace peritherm {
 namespace {
 
 Problem plate() {
-  Problem problem = cracked_square(60, 1e-6);
+  Problem problem = cracked_square(60, 3e-6);
   add_crack(problem, {-0.5, -0.496}, {0.5, 0.504});
   add_crack(problem, {0.5, -0.496}, {-0.5, 0.504});
   for (Crack& crack : problem.cracks) crack.tip_speed = 0.002;

@@ -4,7 +4,7 @@ namespace peritherm {
 namespace {
 
 Problem plate(int cells) {
-  Problem problem = cracked_square(cells, 1e-6);
+  Problem problem = cracked_square(cells, 3e-7);
   add_crack(problem, {-0.500001, 1e-6}, {0.500001, 1e-6});
   return problem;
 }

@@ -151,7 +151,7 @@ TEST(Stencil, entries_are_the_cell_conductances_before_calibration) {
   chosen.calibration = Calibration::continuum;
   for (const auto& [o, conductance] : make_stencil(chosen, 0.1, 2).entries) {
     const double distance = std::sqrt(static_cast<double>(o[0] * o[0] + o[1] * o[1])) * 0.1;
-    EXPECT_DOUBLE_EQ(conductance, cell_conductance(chosen, distance, 0.1, 2));
+    EXPECT_DOUBLE_EQ(conductance, CellConductance(chosen, 0.1, 2)(distance));
   }
 }
 
