@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 
 #include "text.hpp"
@@ -15,6 +16,13 @@ std::string step_text(const Plan& plan) {
   return plan.step > 0.0 ? quantity(plan.step, "s") : "chosen by error control";
 }
 
+/// An estimate deserves no more than three digits.
+std::string estimate_text(double number) {
+  if (number < 1000.0) return grouped(static_cast<std::size_t>(std::lround(number)));
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 2.0);
+  return grouped(static_cast<std::size_t>(std::llround(number / unit) * std::llround(unit)));
+}
+
 std::string notes_text(const Plan& plan) {
   std::string text;
   for (const std::string& note : plan.notes) text += "note: " + note + '\n';
@@ -24,13 +32,14 @@ std::string notes_text(const Plan& plan) {
 }  // namespace
 
 std::string plan_text(const Plan& plan) {
-  std::string text = fmt::format("{}-D, {}, {} ({} of them cut), horizon {} = {:.4g} spacings\n", plan.dimension,
-                                 counted(plan.points, "point", "points"), counted(plan.bonds, "bond", "bonds"),
-                                 grouped(plan.cut_bonds), quantity(plan.horizon, "m"), plan.horizon / plan.spacing);
+  const std::string cut = plan.cut_bonds > 0 ? " (" + grouped(plan.cut_bonds) + " of them cut by the end)" : "";
+  std::string text = fmt::format("{}-D, {}, {}{}, horizon {} = {:.4g} spacings\n", plan.dimension,
+                                 counted(plan.points, "point", "points"), counted(plan.bonds, "bond", "bonds"), cut,
+                                 quantity(plan.horizon, "m"), plan.horizon / plan.spacing);
   text += fmt::format("{} backend, {}, stable step {}, step {}\n", plan.backend, plan.integrator,
                       quantity(plan.stable_step, "s"), step_text(plan));
-  text += fmt::format("about {}, {:.3g} evaluations, {}\n", bytes_text(plan.memory_bytes), plan.evaluations,
-                      duration_text(plan.duration));
+  text += fmt::format("expected: {} of memory, about {} evaluations, {}\n", bytes_text(plan.memory_bytes),
+                      estimate_text(plan.evaluations), duration_text(plan.duration));
   return text + notes_text(plan);
 }
 
@@ -47,7 +56,7 @@ std::string check_text(const Plan& plan) {
   text += row("memory", "about " + bytes_text(plan.memory_bytes));
   text += row("stable step", quantity(plan.stable_step, "s"));
   text += row("step", step_text(plan));
-  text += row("expected evaluations", fmt::format("about {:.3g}", plan.evaluations));
+  text += row("expected evaluations", "about " + estimate_text(plan.evaluations));
   text += row("expected duration", duration_text(plan.duration));
   return text + notes_text(plan);
 }
@@ -55,10 +64,10 @@ std::string check_text(const Plan& plan) {
 std::string summary_text(const RunSummary& summary, const std::filesystem::path& folder) {
   const auto evaluations = static_cast<double>(summary.count.evaluations);
   std::string text = fmt::format(
-      "{} at {} after {}: {}, {}, {:.4g} evaluations/s\n", summary.status, quantity(summary.end_time, "s"),
+      "{} at {} after {}: {}, {}, {} evaluations/s\n", summary.status, quantity(summary.end_time, "s"),
       duration_text(summary.wall), counted(static_cast<std::size_t>(summary.count.accepted), "step", "steps"),
       counted(static_cast<std::size_t>(summary.count.evaluations), "evaluation", "evaluations"),
-      summary.wall > 0.0 ? evaluations / summary.wall : 0.0);
+      estimate_text(summary.wall > 0.0 ? evaluations / summary.wall : 0.0));
   text += fmt::format("energy residual {:.2g} of the heat exchanged, peak memory {}\n",
                       summary.energy_relative_residual, bytes_text(summary.peak_memory_bytes));
   text += fmt::format("written to {}:\n", path_text(folder));

@@ -5,7 +5,7 @@ foreach(case IN LISTS cases)
   cmake_path(GET folder FILENAME name)
   add_test(NAME examples.${name}.check COMMAND peritherm_program check ${case})
   add_test(NAME examples.${name}.run COMMAND peritherm_program run ${case} --output ${PROJECT_BINARY_DIR}/examples/${name}
-                                             --overwrite --quiet)
+                                             --overwrite --quiet --threads 1)
   set_tests_properties(examples.${name}.check examples.${name}.run
                        PROPERTIES LABELS examples TIMEOUT 600 ENVIRONMENT "${test_environment}")
 endforeach()

@@ -62,7 +62,7 @@ void expect_same_fluxes(const Pair& pair, std::vector<double> state) {
 }
 
 TEST(Backends, the_stencil_and_the_bonds_give_the_same_rates_fluxes_and_accounts) {
-  check_for_every_kernel({6, 4, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 12, 2}, [](const BodyRequest& request) {
     const Problem problem = *random_problem(request);
     const Pair pair = measure_both(problem);
     const std::vector<double> state = random_state(pair.stencil.system().size(), draw(0, 1000));
@@ -73,7 +73,7 @@ TEST(Backends, the_stencil_and_the_bonds_give_the_same_rates_fluxes_and_accounts
 }
 
 TEST(Backends, agree_over_any_steps_while_cracks_grow) {
-  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 12, 2}, [](const BodyRequest& request) {
     const Problem problem = *random_problem(request);
     const Pair pair = measure_both(problem);
     const std::vector<double> state = random_state(pair.stencil.system().size(), draw(0, 1000));
@@ -89,7 +89,7 @@ TEST(Backends, agree_over_any_steps_while_cracks_grow) {
 }
 
 TEST(Backends, every_instruction_set_gives_the_same_rates) {
-  check_for_every_kernel({4, 2, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 8, 2}, [](const BodyRequest& request) {
     const Problem problem = *random_problem(request);
     const MeasuredBody body = measure(problem, BackendName::bond);
     const Geometry& geometry = body.assembly.geometry;
@@ -130,7 +130,7 @@ TEST(Backends, the_stencil_gives_the_same_bits_for_any_number_of_threads) {
       std::vector<double> state = initial_state(run, assembly);
       const auto integrator = make_integrator(run.time.integrator, *assembly.system);
       int steps = 0;
-      integrator->advance(0.0, 0.2 * run.time.end, state, [&steps](double, ConstField) { return ++steps < 4; });
+      integrator->advance(0.0, 0.2 * run.time.end, state, [&steps](double, ConstField) { return ++steps < 2; });
       if (threads == 1) first = state;
       RC_ASSERT(state == first);
     }

@@ -14,7 +14,7 @@ BodyRequest made_small(BodyRequest request) {
 }
 
 TEST(Balance, constants_stay_constant) {
-  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 12, 2}, [](const BodyRequest& request) {
     Problem problem = *random_problem(request);
     const double constant = draw_real(-300.0, 300.0);
     surround_with(problem, constant);
@@ -30,7 +30,7 @@ TEST(Balance, constants_stay_constant) {
 }
 
 TEST(Balance, what_one_point_gives_another_is_what_it_gets_back) {
-  check_for_every_kernel({4, 2, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 8, 2}, [](const BodyRequest& request) {
     Problem problem = *random_problem(made_small(request));
     surround_with(problem, 0.0);
     for (const BackendName backend : both_backends) {
@@ -48,7 +48,7 @@ TEST(Balance, what_one_point_gives_another_is_what_it_gets_back) {
 }
 
 TEST(Balance, an_insulated_body_keeps_its_heat) {
-  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 12, 2}, [](const BodyRequest& request) {
     Problem problem = *random_problem(request);
     remove_boundaries(problem, is_not_insulated);
     problem.sources.clear();
@@ -86,7 +86,7 @@ double area_of(const BoundaryOptions& boundary, const Geometry& geometry) {
 }
 
 TEST(Balance, a_flux_brings_in_its_value_times_the_area_of_the_face) {
-  check_for_every_kernel({4, 3, 1}, [](BodyRequest request) {
+  check_for_every_kernel({16, 12, 2}, [](BodyRequest request) {
     request.expressions = false;
     Problem problem = *random_problem(request);
     std::erase_if(problem.boundaries, [](const BoundaryOptions& boundary) { return !boundary.face; });
@@ -110,7 +110,7 @@ TEST(Balance, a_flux_brings_in_its_value_times_the_area_of_the_face) {
 }
 
 TEST(Balance, differences_of_temperature_only_fade) {
-  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 12, 2}, [](const BodyRequest& request) {
     Problem problem = *random_problem(request);
     surround_with(problem, 0.0);
     for (const BackendName backend : both_backends) {

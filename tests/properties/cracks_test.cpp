@@ -18,7 +18,7 @@ Conductances conductances(const MeasuredBody& body) {
 }
 
 TEST(Cracks, a_crack_only_lowers_exchange_and_a_conducting_one_does_so_less) {
-  check_for_every_kernel({4, 3, 1}, [](BodyRequest request) {
+  check_for_every_kernel({16, 12, 2}, [](BodyRequest request) {
     // A point on a crack is moved to one side, which would also change how other cracks and regions meet its bonds.
     request.ties = false;
     Problem problem = *random_problem(request);

@@ -32,7 +32,7 @@ void expect_balance(const Problem& problem, BackendName backend, const TimeStepp
 }
 
 TEST(Energy, what_is_stored_has_come_in_through_the_boundaries_and_sources) {
-  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 12, 2}, [](const BodyRequest& request) {
     const Problem problem = *random_problem(request);
     const TimeStepping steppings[] = {RungeKuttaLegendre{1e-4}, RungeKutta4{}, ForwardEuler{}};
     const BackendName backend = draw_chance(50) ? BackendName::stencil : BackendName::bond;

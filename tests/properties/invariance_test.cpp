@@ -33,7 +33,7 @@ void expect_same_rates(const MeasuredBody& first, const MeasuredBody& second, do
 GridIndex same(GridIndex p) { return p; }
 
 TEST(Invariance, moving_a_body_changes_nothing) {
-  check_for_every_kernel({4, 2, 1}, [](BodyRequest request) {
+  check_for_every_kernel({16, 8, 2}, [](BodyRequest request) {
     request.expressions = false;
     const Problem problem = *random_problem(request);
     const double far = 3.0 * problem.body.size[0];
@@ -49,7 +49,7 @@ TEST(Invariance, moving_a_body_changes_nothing) {
 }
 
 TEST(Invariance, changing_units_changes_nothing) {
-  check_for_every_kernel({4, 2, 1}, [](BodyRequest request) {
+  check_for_every_kernel({16, 8, 2}, [](BodyRequest request) {
     request.expressions = false;
     const Problem problem = *random_problem(request);
     const double lengths[] = {1e-6, 1e3, 0.0254};
@@ -80,7 +80,7 @@ Problem draw_even_problem(BodyRequest request) {
 }
 
 TEST(Invariance, a_mirror_image_behaves_alike) {
-  check_for_every_kernel({4, 2, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 8, 2}, [](const BodyRequest& request) {
     const Problem problem = draw_even_problem(request);
     const int axis = draw(0, request.dimension - 1);
     const Problem mirrored = mirrored_problem(problem, axis);
@@ -96,7 +96,7 @@ TEST(Invariance, a_mirror_image_behaves_alike) {
 }
 
 TEST(Invariance, exchanging_two_axes_changes_nothing) {
-  check_for_every_kernel({0, 2, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({0, 8, 2}, [](const BodyRequest& request) {
     const Problem problem = draw_even_problem(request);
     const bool has_polygons = std::any_of(problem.body.regions.begin(), problem.body.regions.end(),
                                           [](const auto& r) { return std::holds_alternative<Polygon>(r.shape); }) ||

@@ -79,14 +79,14 @@ void expect_half_of_double(const Problem& problem, BackendName backend, double s
 }
 
 TEST(Mirrors, an_insulated_face_is_the_middle_of_a_body_twice_as_long) {
-  check_for_every_kernel({4, 2, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 8, 2}, [](const BodyRequest& request) {
     const Problem problem = draw_half(request, Insulated{});
     for (const BackendName backend : both_backends) expect_half_of_double(problem, backend, 1.0);
   });
 }
 
 TEST(Mirrors, a_face_held_at_zero_is_the_middle_of_a_body_with_opposite_halves) {
-  check_for_every_kernel({4, 2, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 8, 2}, [](const BodyRequest& request) {
     Problem problem = draw_half(request, HeldTemperature{});
     surround_with(problem, 0.0);
     for (const BackendName backend : both_backends) expect_half_of_double(problem, backend, -1.0);

@@ -60,7 +60,7 @@ void expect_extremes_kept(const MeasuredBody& body) {
 }
 
 TEST(Stability, short_steps_keep_temperatures_between_their_extremes) {
-  check_for_every_kernel({4, 3, 1}, [](BodyRequest request) {
+  check_for_every_kernel({16, 12, 2}, [](BodyRequest request) {
     request.expressions = false;
     request.fewest_cells = 4;
     request.most_cells = request.dimension == 3 ? 5 : 9;
@@ -76,7 +76,7 @@ TEST(Stability, short_steps_keep_temperatures_between_their_extremes) {
 }
 
 TEST(Stability, no_point_cools_because_another_warms) {
-  check_for_every_kernel({3, 2, 1}, [](BodyRequest request) {
+  check_for_every_kernel({8, 6, 2}, [](BodyRequest request) {
     request.fewest_cells = 4;
     request.most_cells = request.dimension == 3 ? 5 : 9;
     Problem problem = *random_problem(request);
@@ -113,7 +113,7 @@ double rayleigh_quotient(const MeasuredBody& body, int iterations) {
 }
 
 TEST(Stability, nothing_decays_faster_than_the_fastest_rate) {
-  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({16, 12, 2}, [](const BodyRequest& request) {
     Problem problem = *random_problem(request);
     surround_with(problem, 0.0);
     for (const BackendName backend : both_backends) {
@@ -147,7 +147,7 @@ double largest_symbol_found(const Stencil& stencil, int dimension) {
 }
 
 TEST(Stability, the_fastest_rate_of_a_plain_body_is_that_of_the_fastest_wave) {
-  check_for_every_kernel({3, 2, 1}, [](BodyRequest request) {
+  check_for_every_kernel({8, 6, 2}, [](BodyRequest request) {
     request.most_cells = 6;
     Problem problem = *random_problem(request);
     make_plain(problem);

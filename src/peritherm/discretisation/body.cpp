@@ -60,9 +60,9 @@ WallKind Body::wall_kind_at(Face face, const GridIndex& p) const {
 
 void Body::inspect_walls() {
   for (FaceWalls& wall : walls) {
-    const auto held = [this](int boundary) { return boundary >= 0 && is_held(wall_kinds[boundary]); };
-    const auto count = std::count_if(wall.boundary_of.begin(), wall.boundary_of.end(), held);
-    wall.partly_held = !wall.open && count > 0 && count < static_cast<long>(wall.boundary_of.size());
+    const auto kind = [this](int boundary) { return boundary < 0 ? WallKind::even : wall_kinds[boundary]; };
+    const auto differs = [&](int boundary) { return kind(boundary) != kind(wall.boundary_of.front()); };
+    wall.partly_held = !wall.open && std::any_of(wall.boundary_of.begin(), wall.boundary_of.end(), differs);
   }
 }
 

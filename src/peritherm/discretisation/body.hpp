@@ -24,7 +24,7 @@ constexpr bool is_held(WallKind kind) { return kind == WallKind::odd || kind == 
 struct FaceWalls {
   bool open = false;                      ///< nothing outside the whole face
   std::vector<std::int16_t> boundary_of;  ///< index of the boundary at each place, −1 for none; empty: none anywhere
-  bool partly_held = false;               ///< only some places are held; set by Body::inspect_walls
+  bool partly_held = false;               ///< held in part, or in several ways; set by Body::inspect_walls
 };
 
 struct MaterialRegion {

@@ -78,7 +78,8 @@ GridIndex partner_of(const Body& body, const GridIndex& i, const GridIndex& j) {
     if (folded[axis] == j[axis]) continue;
     const Face face = make_face(axis, j[axis] > folded[axis]);
     if (!body.walls[static_cast<int>(face)].partly_held) continue;
-    if (is_held(body.wall_kind_at(face, j)) && !is_held(body.wall_kind_at(face, i))) partner[axis] = folded[axis];
+    const WallKind kind = body.wall_kind_at(face, j);
+    if (is_held(kind) && kind != body.wall_kind_at(face, i)) partner[axis] = folded[axis];
   }
   return partner;
 }

@@ -27,8 +27,9 @@ Bonds make_bonds(const Points& points, const StencilOptions& options, double cal
 /// The points of a body and the fictitious points that its mirrored faces need.
 Points make_points(const Body& body, const PaddedGrid& layout);
 
-/// Where only a part of a face is held, a bond reaches a held fictitious point only if both of its ends lie
-/// opposite held places; the others see the mirrored point instead. This keeps conductances symmetric.
+/// Where only a part of a face is held, or its parts in several ways, a bond reaches a held fictitious point only if
+/// both of its ends lie opposite places held alike; the others see the mirrored point instead. This keeps conductances
+/// symmetric.
 /// Returns the point that i exchanges heat with in place of j.
 GridIndex partner_of(const Body& body, const GridIndex& i, const GridIndex& j);
 

@@ -211,6 +211,10 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
 /// Every bond conducts at most as the best material does, and every point stores at least as the poorest.
 double spectral_bound(const Geometry& geometry) {
   const Body& body = geometry.body;
+  // Walls that differ from place to place continue the body to no lattice of this stencil.
+  for (const FaceWalls& wall : body.walls) {
+    if (wall.partly_held) return 0.0;
+  }
   double conductivity = 0.0, capacity = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < body.materials.size(); ++m) {
     if (std::find(body.material_of.begin(), body.material_of.end(), m) == body.material_of.end()) continue;

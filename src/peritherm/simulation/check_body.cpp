@@ -64,8 +64,7 @@ void check_cells(Checker& checker) {
   const Coordinates& size = checker.problem.body.size;
   const std::vector<int>& cells = *checker.problem.body.cells;
   if (cells.size() != size.size()) {
-    return checker.add("body.cells",
-                       "has " + std::to_string(cells.size()) + " entries, but size has " + std::to_string(size.size()),
+    return checker.add("body.cells", "has " + count_of(cells.size()) + ", but size has " + std::to_string(size.size()),
                        "Give one number of cells per length");
   }
   if (std::any_of(cells.begin(), cells.end(), [](int count) { return count < 1; })) {
@@ -122,8 +121,7 @@ bool check_box(Checker& checker) {
     return false;
   }
   if (body.origin && body.origin->size() != dimension) {
-    checker.add("body.origin",
-                "has " + std::to_string(body.origin->size()) + " entries, but size has " + std::to_string(dimension),
+    checker.add("body.origin", "has " + count_of(body.origin->size()) + ", but size has " + std::to_string(dimension),
                 "Give one coordinate per length");
     return false;
   }

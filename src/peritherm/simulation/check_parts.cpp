@@ -74,8 +74,7 @@ void check_kind(Checker& checker, const std::string& key, const ProbeOutput& pro
   const Grid& grid = *checker.grid;
   if (probe.at.size() != static_cast<std::size_t>(grid.dimension)) {
     return checker.add(
-        key + ".at",
-        "has " + std::to_string(probe.at.size()) + " entries, but the body is " + std::to_string(grid.dimension) + "-D",
+        key + ".at", "has " + count_of(probe.at.size()) + ", but the body is " + std::to_string(grid.dimension) + "-D",
         "Give one coordinate per dimension");
   }
   const Point place = to_point(probe.at);

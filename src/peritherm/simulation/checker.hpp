@@ -40,6 +40,11 @@ void check_numerics(Checker& checker);
 /// Sources and boundaries whose shape has no fault are worth a look at their points.
 bool shape_is_sound(const Checker& checker, const std::string& key, const std::optional<Shape>& shape);
 
+/// "1 entry", "3 entries".
+inline std::string count_of(std::size_t entries) {
+  return std::to_string(entries) + (entries == 1 ? " entry" : " entries");
+}
+
 /// "body.region" + 2 → "body.region.2".
 std::string entry(const std::string& list, std::size_t index);
 

@@ -17,8 +17,8 @@ namespace peritherm {
 namespace {
 
 /// Rough costs of one evaluation on one core of a present-day machine [s].
-constexpr double stencil_seconds_per_bond = 0.06e-9;
-constexpr double stencil_seconds_per_point = 3e-9;
+constexpr double stencil_seconds_per_bond = 0.08e-9;
+constexpr double stencil_seconds_per_point = 4e-9;
 constexpr double list_seconds_per_bond = 1.3e-9;
 /// Below this, waiting for one another costs threads more than they gain, above all on a busy machine.
 constexpr double least_work_per_thread = 150e-6;
@@ -38,6 +38,23 @@ int state_count(const TimeStepping& integrator) {
 /// was measured on a cracked plate.
 double rkl2_evaluations(double rate_times_end, double tolerance) {
   return 10.0 + 11.0 * std::sqrt(rate_times_end) * std::pow(3e-5 / tolerance, 1.0 / 6.0);
+}
+
+/// While cracks grow, the cutting of bonds sets the steps: so many evaluations per spacing that a tip passes, measured
+/// on crossing cracks.
+double growth_evaluations(const Problem& problem, double spacing, double tolerance) {
+  double passed = 0.0;
+  for (const Crack& crack : problem.cracks) {
+    if (!crack.tip_speed) continue;
+    double length = crack.disc ? crack.disc->radius : 0.0;
+    for (std::size_t k = 1; k < crack.points.size(); ++k) {
+      const Point a = to_point(crack.points[k - 1]), b = to_point(crack.points[k]);
+      length += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    }
+    const double duration = std::max(0.0, problem.time.end - crack.start_time);
+    passed = std::max(passed, std::min(length, *crack.tip_speed * duration) / spacing);
+  }
+  return 210.0 * passed * std::pow(1e-4 / tolerance, 0.35);
 }
 
 double bytes_of_fields(const Grid& grid, int radius, int states) {
@@ -83,7 +100,9 @@ void estimate_costs(const Problem& problem, const Geometry& geometry, double fas
   if (euler != nullptr) plan.step = euler->step.value_or(euler->safety * plan.stable_step);
   if (classical != nullptr) plan.step = classical->step.value_or(classical->safety * plan.stable_step);
   if (const auto* legendre = std::get_if<RungeKuttaLegendre>(&problem.time.integrator)) {
-    plan.evaluations = rkl2_evaluations(fastest_rate * problem.time.end, legendre->relative_tolerance);
+    const double tolerance = legendre->relative_tolerance;
+    plan.evaluations = rkl2_evaluations(fastest_rate * problem.time.end, tolerance) +
+                       growth_evaluations(problem, geometry.body.grid.spacing, tolerance);
   } else {
     plan.evaluations = std::ceil(problem.time.end / plan.step) * (classical != nullptr ? 4.0 : 1.0);
   }

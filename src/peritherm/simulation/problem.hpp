@@ -135,7 +135,8 @@ struct OutputOptions {
   OutputKind kind;
   static constexpr auto options() {
     return std::tuple{
-        optional("every", &OutputOptions::every, "s", positive, "period of this output, from 0 on"),
+        optional("every", &OutputOptions::every, "s", positive,
+                 "period of this output, from 0 on; one of every and times is needed"),
         optional("times", &OutputOptions::times, "s", not_negative, "times of this output, instead of every"),
         required("", &OutputOptions::kind, "what is written")};
   }
