@@ -95,8 +95,8 @@ int print_schema(const Arguments& arguments) {
 
 void add_case_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("case", arguments.case_file, "the case file (TOML)")->required()->type_name("CASE");
-  verb.add_option("--threads", arguments.threads, "number of threads; 0: all cores")
-      ->check(CLI::Range(0, 65536))
+  verb.add_option("--threads", arguments.threads, "number of threads; 0: as many cores as pay")
+      ->check(CLI::Range(0, 1024))
       ->type_name("N");
   verb.add_option("--set", arguments.overrides, "overrides a key of the case, e.g. nonlocality.horizon_ratio=4")
       ->allow_extra_args(false)

@@ -23,12 +23,6 @@ std::string estimate_text(double number) {
   return grouped(static_cast<std::size_t>(std::llround(number / unit) * std::llround(unit)));
 }
 
-std::string notes_text(const Plan& plan) {
-  std::string text;
-  for (const std::string& note : plan.notes) text += "note: " + note + '\n';
-  return text;
-}
-
 }  // namespace
 
 std::string plan_text(const Plan& plan) {
@@ -40,7 +34,7 @@ std::string plan_text(const Plan& plan) {
                       quantity(plan.stable_step, "s"), step_text(plan));
   text += fmt::format("expected: {} of memory, about {} evaluations, {}\n", bytes_text(plan.memory_bytes),
                       estimate_text(plan.evaluations), duration_text(plan.duration));
-  return text + notes_text(plan);
+  return text;
 }
 
 std::string check_text(const Plan& plan) {
@@ -58,7 +52,7 @@ std::string check_text(const Plan& plan) {
   text += row("step", step_text(plan));
   text += row("expected evaluations", "about " + estimate_text(plan.evaluations));
   text += row("expected duration", duration_text(plan.duration));
-  return text + notes_text(plan);
+  return text;
 }
 
 std::string summary_text(const RunSummary& summary, const std::filesystem::path& folder) {

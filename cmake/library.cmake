@@ -7,6 +7,8 @@ set(headers)
 foreach(room IN LISTS PERITHERM_ROOMS)
   file(GLOB room_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/peritherm/${room}/*.cpp)
   file(GLOB room_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/peritherm/${room}/*.hpp)
+  # Unity builds take a room at a time: names inside a room do not collide.
+  set_source_files_properties(${room_sources} PROPERTIES UNITY_GROUP ${room})
   list(APPEND sources ${room_sources})
   list(APPEND headers ${room_headers})
 endforeach()
@@ -21,7 +23,7 @@ endif()
 # Contraction to fused multiply-adds is allowed where it pays and nowhere else, so that all other code gives the same
 # bits on every processor.
 foreach(source IN LISTS sources)
-  set(flags -ffp-contract=off)
+  set(flags)
   if(source MATCHES "/operators/stencil_kernel[^/]*\\.cpp$")
     set(flags -ffp-contract=fast)
   endif()
@@ -30,14 +32,18 @@ foreach(source IN LISTS sources)
   elseif(source MATCHES "_avx512\\.cpp$")
     list(APPEND flags -mavx512f -mavx512vl -mavx512dq -mfma -mprefer-vector-width=512)
   endif()
-  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${flags}")
+  if(flags)
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${flags}")
+  endif()
 endforeach()
 
 add_library(peritherm ${sources} ${PROJECT_BINARY_DIR}/generated/version.cpp)
 add_library(peritherm::peritherm ALIAS peritherm)
 target_sources(peritherm PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
 target_compile_features(peritherm PUBLIC cxx_std_20)
-set_target_properties(peritherm PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_compile_options(peritherm PRIVATE -ffp-contract=off)
+set_target_properties(peritherm PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD ${PERITHERM_UNITY}
+                                           UNITY_BUILD_MODE GROUP)
 target_link_libraries(
   peritherm
   PRIVATE $<BUILD_INTERFACE:peritherm_options> $<BUILD_INTERFACE:peritherm_toml> OpenMP::OpenMP_CXX ZLIB::ZLIB fmt::fmt

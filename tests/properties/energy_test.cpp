@@ -40,5 +40,31 @@ TEST(Energy, what_is_stored_has_come_in_through_the_boundaries_and_sources) {
   });
 }
 
+TEST(Energy, a_body_of_one_temperature_rests_under_every_integrator) {
+  check_for_every_kernel({8, 6, 1}, [](const BodyRequest& request) {
+    Problem problem = *random_problem(request);
+    const double constant = draw_real(-300.0, 300.0);
+    surround_with(problem, constant);
+    problem.initial.temperature = constant;
+    const TimeStepping steppings[] = {RungeKuttaLegendre{}, RungeKutta4{}, ForwardEuler{}};
+    for (const TimeStepping& stepping : steppings) {
+      const MeasuredBody body = measure(problem, BackendName::stencil);
+      RC_PRE(body.system().fastest_rate() > 0.0);
+      std::vector<double> state = initial_state(problem, body.assembly);
+      const auto integrator = make_integrator(stepping, body.system());
+      int steps = 0;
+      const auto stop_early = [&steps](double, ConstField) { return ++steps < 8; };
+      const double end = integrator->advance(0.0, problem.time.end, state, stop_early);
+      // Rounding of the rates adds up over the time; that of the combinations over the evaluations.
+      const auto evaluations = static_cast<std::size_t>(integrator->count().evaluations);
+      for (std::size_t k = 0; k < body.entries.size(); ++k) {
+        const double tolerance =
+            end * body.rate_rounding(k, std::abs(constant)) + rounding(evaluations, std::abs(constant));
+        RC_ASSERT(std::abs(state[body.entries[k]] - constant) <= tolerance);
+      }
+    }
+  });
+}
+
 }  // namespace
 }  // namespace peritherm

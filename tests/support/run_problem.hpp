@@ -12,6 +12,9 @@
 
 namespace peritherm {
 
+/// Both placements of points, for loops over them.
+inline constexpr PointPlacement placements[] = {PointPlacement::centres, PointPlacement::boundary};
+
 /// A box of edge 1 with conductivity, density and specific heat 1, insulated, at temperature 0.
 inline Problem unit_body(int dimension, int cells, double horizon_ratio) {
   Problem problem;

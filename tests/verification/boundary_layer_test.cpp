@@ -8,8 +8,6 @@
 namespace peritherm {
 namespace {
 
-constexpr PointPlacement placements[] = {PointPlacement::centres, PointPlacement::boundary};
-
 double order_of_imposed(Imposed imposed, PointPlacement points) {
   const Slab slab{1.0, 1.0};
   std::vector<double> spacings;

@@ -8,8 +8,6 @@
 namespace peritherm {
 namespace {
 
-constexpr PointPlacement placements[] = {PointPlacement::centres, PointPlacement::boundary};
-
 TEST(Convection, a_body_without_inner_resistance_cools_as_a_lump) {
   for (const int dimension : {1, 2, 3}) {
     for (const PointPlacement points : placements) {

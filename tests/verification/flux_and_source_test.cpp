@@ -10,8 +10,6 @@
 namespace peritherm {
 namespace {
 
-constexpr PointPlacement placements[] = {PointPlacement::centres, PointPlacement::boundary};
-
 TEST(PrescribedFlux, a_bar_heated_at_one_end_converges_with_order_two) {
   const Slab slab{1.0, 2.0 / 3.0};
   for (const PointPlacement points : placements) {

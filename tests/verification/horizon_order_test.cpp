@@ -66,8 +66,6 @@ double order_of(const Choice& choice, const std::vector<double>& errors) {
 }
 
 const Kernel kernels[] = {Kernel{LinearKernel{}, 2}, Kernel{ConstantKernel{}, 2}};
-constexpr PointPlacement placements[] = {PointPlacement::centres, PointPlacement::boundary};
-
 template <class Errors>
 void expect_second_order(Choice choice, const Errors& errors) {
   for (const Kernel& kernel : kernels) {

@@ -1,17 +1,11 @@
 #include "peritherm/discretisation/bond_path.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "peritherm/geometry/vector.hpp"
 
 namespace peritherm {
-namespace {
-
-Point between(const Point& a, const Point& b, double share) {
-  Point x;
-  for (int axis = 0; axis < 3; ++axis) x[axis] = a[axis] + share * (b[axis] - a[axis]);
-  return x;
-}
-
-}  // namespace
 
 BondTracer::BondTracer(const Body& body) : body_(body) {
   for (int axis = 0; axis < body.grid.dimension; ++axis) {

@@ -43,7 +43,7 @@ class BondTracer {
   bool uniform_;             ///< one material, nothing cut away
 };
 
-/// Shares of the conductance that remain after each crossing: 1, then the products of the transmissions.
+/// Share of its conductance that the cracks there from the start leave to a bond: the product of their transmissions.
 double standing_share(const BondPath& path);
 
 }  // namespace peritherm

@@ -3,15 +3,9 @@
 #include <cmath>
 
 #include "peritherm/discretisation/neighbours.hpp"
+#include "peritherm/geometry/vector.hpp"
 
 namespace peritherm {
-namespace {
-
-double distance_between(const Point& a, const Point& b) {
-  return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
-}
-
-}  // namespace
 
 Bonds make_bonds(const Points& points, const StencilOptions& options, double calibration, const BondTracer& tracer,
                  const std::function<std::size_t(std::size_t, std::size_t)>& partner) {
@@ -24,7 +18,7 @@ Bonds make_bonds(const Points& points, const StencilOptions& options, double cal
   for (std::size_t i = 0; i < points.owned; ++i) {
     for (BondIndex b = pairs.row_begin[i]; b < pairs.row_begin[i + 1]; ++b) {
       const auto j = static_cast<std::size_t>(pairs.points[b]);
-      const double distance = distance_between(points.positions[i], points.positions[j]);
+      const double distance = length(difference(points.positions[j], points.positions[i]));
       const double unit =
           calibration * conductance(distance) * (points.volumes[i] / cell) * (points.source_volumes[j] / cell);
       if (unit == 0.0) continue;

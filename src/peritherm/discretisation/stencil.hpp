@@ -60,7 +60,7 @@ Stencil make_stencil(const StencilOptions& options, double spacing, int dimensio
 /// (1/2) Σ G ξ_x² over the stencil and the cell volume: the conductivity that a linear field feels; 1 if exact.
 double effective_conductivity(const Stencil& stencil, double spacing, int dimension);
 
-/// Upper bound of max over wave vectors of Σ G (1 − cos k·ξ), sharp to about 0.3 % [m in 3-D]. Bodies of this
+/// Upper bound of max over wave vectors of Σ G (1 − cos k·ξ), sharp to 0.2 % [m in 3-D]. Bodies of this
 /// stencil with mirrored or open surfaces have no faster mode.
 double largest_symbol(const Stencil& stencil, int dimension);
 

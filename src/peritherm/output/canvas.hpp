@@ -24,7 +24,7 @@ struct Anchor {
 
 struct TextStyle {
   double size = 18.0;  ///< [pixels]
-  Colour colour = colour_of(0x222222);
+  Colour colour = ink;
   bool upwards = false;  ///< read from bottom to top; the anchor turns with the text
 };
 
@@ -39,7 +39,7 @@ struct PixelImage {
 };
 
 struct LineStyle {
-  Colour colour = colour_of(0x222222);
+  Colour colour = ink;
   double width = 1.0;  ///< [pixels]
   bool dashed = false;
   bool square = false;  ///< flat ends and sharp corners, else round ones

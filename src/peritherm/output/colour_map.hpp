@@ -18,6 +18,9 @@ constexpr Colour colour_of(std::uint32_t rgb, double opacity = 1.0) {
           static_cast<double>(rgb & 0xffU) / 255.0, opacity};
 }
 
+/// Lines and letters.
+inline constexpr Colour ink = colour_of(0x222222);
+
 /// 0xRRGGBB.
 std::uint32_t pixel_of(const Colour& colour);
 

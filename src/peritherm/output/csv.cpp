@@ -1,13 +1,12 @@
 #include "peritherm/output/csv.hpp"
 
-#include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "peritherm/base/file.hpp"
+#include "peritherm/base/text.hpp"
 
 namespace peritherm {
 namespace {
@@ -24,12 +23,7 @@ std::string quoted(const std::string& name) {
 
 }  // namespace
 
-std::string exact_text(double value) {
-  if (std::isnan(value)) return "nan";
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
+std::string exact_text(double value) { return std::isnan(value) ? "nan" : shortest(value); }
 
 CsvTable::CsvTable(std::filesystem::path path, const std::vector<std::string>& columns) : path_(std::move(path)) {
   for (const std::string& column : columns) {

@@ -7,8 +7,6 @@
 namespace peritherm {
 namespace {
 
-constexpr Colour ink = colour_of(0x222222);
-
 std::string field_label(FieldName field, double scale) {
   const std::string power = scale == 1.0 ? "" : power_of_ten_text(scale);
   if (field == FieldName::heat_flux) return "heat flux [" + power + (power.empty() ? "" : " ") + "W/m\u00b2]";

@@ -6,8 +6,6 @@
 namespace peritherm {
 namespace {
 
-constexpr Colour ink = colour_of(0x222222);
-
 ColourMap choose_map(FieldName field, const ValueRange& range) {
   if (field == FieldName::heat_flux) return ColourMap::flux(range.low, range.high);
   if (field == FieldName::damage) return ColourMap::damage(range.low, range.high);

@@ -20,18 +20,12 @@ struct Scales {
   }
 };
 
-bool cracked_between(const Section& section, double a, double b) {
-  // Points on a crack belong to its right.
-  return std::any_of(section.cracks.begin(), section.cracks.end(),
-                     [&](const Line& crack) { return crack.size() == 1 && crack[0].x > a && crack[0].x <= b; });
-}
-
 /// Pieces of the curve between cracks and cut-away parts.
 std::vector<Line> curve_pieces(const Section& section, const Scales& scales) {
   std::vector<Line> pieces(1);
   for (std::size_t i = 0; i < section.x.size(); ++i) {
     const bool missing = std::isnan(section.values[i]);
-    const bool parted = i > 0 && cracked_between(section, section.x[i - 1], section.x[i]);
+    const bool parted = i > 0 && separated_in_bar(section.cracks, section.x[i - 1], section.x[i]);
     if ((missing || parted) && !pieces.back().empty()) pieces.emplace_back();
     if (!missing) pieces.back().push_back(scales(section.x[i], section.values[i]));
   }

@@ -16,7 +16,7 @@ namespace peritherm {
 
 /// Heat that has entered through one boundary (or from sources) since the start.
 struct HeatAccount {
-  std::string name;        ///< "y_max temperature", "source", …
+  std::string name;        ///< "y_max temperature", "sources", …
   double heat = 0.0;       ///< since the start [J]
   double heat_rate = 0.0;  ///< now [W]
 };

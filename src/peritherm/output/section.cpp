@@ -90,12 +90,6 @@ std::vector<double> node_places(const Grid& grid, int axis) {
   return places;
 }
 
-bool separated_in_bar(const std::vector<Line>& cracks, double a, double b) {
-  // Points on a crack belong to its right.
-  return std::any_of(cracks.begin(), cracks.end(),
-                     [&](const Line& crack) { return crack.size() == 1 && crack[0].x > a && crack[0].x <= b; });
-}
-
 /// Value on a face, half a spacing beyond the last point: carried on from the two last points if nothing parts them.
 double face_value(const Section& section, std::size_t node, std::size_t inner, FieldName field) {
   const std::size_t columns = section.x.size();
@@ -148,6 +142,11 @@ void fill_nodes(Section& section, const Grid& grid, const PlaneAxes& axes, const
 }
 
 }  // namespace
+
+bool separated_in_bar(const std::vector<Line>& cracks, double a, double b) {
+  return std::any_of(cracks.begin(), cracks.end(),
+                     [&](const Line& crack) { return crack.size() == 1 && crack[0].x > a && crack[0].x <= b; });
+}
 
 void cut_cracks(const std::vector<std::vector<Point>>& cracks, const std::array<int, 3>& plane, double at, double slack,
                 Section& section) {

@@ -36,6 +36,9 @@ void cut_cracks(const std::vector<std::vector<Point>>& cracks, const std::array<
 /// Whether a crack stands between a node and a place. Nodes on a crack belong to its left side.
 bool separated(const Line& crack, const Place& node, const Place& place, double spacing);
 
+/// The same in a bar, between two places a < b [m]. Nodes on a crack belong to its right.
+bool separated_in_bar(const std::vector<Line>& cracks, double a, double b);
+
 enum class Smoothing { bilinear, nearest };
 
 /// Values between the nodes of a section; never mixed across a crack or with what was cut away.

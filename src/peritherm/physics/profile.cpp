@@ -2,8 +2,10 @@
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "peritherm/base/error.hpp"
@@ -67,7 +69,8 @@ struct CompiledProfile::Parser {
   explicit Parser(const std::string& expression) {
     if (trimmed(expression).empty())
       throw Error("expression is empty", "Write a number or an expression of x, y, z, t");
-    if (expression.size() > longest_expression) throw Error("expression is longer than 10000 characters");
+    if (expression.size() > longest_expression)
+      throw Error("expression is longer than 10000 characters", "Write a shorter one");
     refuse_assignment(expression);
     try {
       define_names();

@@ -62,7 +62,7 @@ double horizon_of(const Problem& problem) {
 
 std::vector<Issue> find_faults(const Problem& problem, const Locations& locations,
                                const std::vector<std::string>& broken) {
-  Checker checker{problem, locations, broken, std::nullopt, {}};
+  Checker checker{problem, locations, broken, std::nullopt, false, {}};
   check_body(checker);
   check_materials(checker);
   check_horizon(checker);

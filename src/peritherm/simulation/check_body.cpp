@@ -143,6 +143,18 @@ void check_count(Checker& checker, const Grid& grid) {
               "makes " + rounded(points) + " points, more than " + shortest(most), "Choose fewer cells");
 }
 
+/// A coarse grid over the same box, so that what does not fit the box is named beside cells that do not.
+std::optional<Grid> stand_in_grid(const BodyOptions& body) {
+  const double shortest_length = *std::min_element(body.size.begin(), body.size.end());
+  const std::vector<double> cells = nearest_cubes(body.size, std::round(30.0 * body.size[0] / shortest_length));
+  if (cells.empty()) return std::nullopt;
+  Problem problem;
+  problem.body = body;
+  problem.body.spacing.reset();
+  problem.body.cells = std::vector<int>(cells.begin(), cells.end());
+  return make_grid(problem);
+}
+
 /// Could the box, its cells and its points be read? Regions and the material do not matter.
 bool body_is_read(const Checker& checker) {
   return std::none_of(checker.broken.begin(), checker.broken.end(), [](const std::string& key) {
@@ -182,7 +194,11 @@ void check_body(Checker& checker) {
   } else {
     check_spacing(checker);
   }
-  if (checker.issues.size() != before) return;
+  if (checker.issues.size() != before) {
+    checker.grid = stand_in_grid(body);
+    checker.grid_stands_in = true;
+    return;
+  }
   const Grid grid = make_grid(checker.problem);
   check_count(checker, grid);
   if (checker.issues.size() == before) checker.grid = grid;
@@ -216,7 +232,7 @@ void check_horizon(Checker& checker) {
                        options.horizon ? "has both horizon and horizon_ratio" : "has neither horizon nor horizon_ratio",
                        options.horizon ? "Leave one of them out" : "Give one of them");
   }
-  if (!checker.grid) return;
+  if (!checker.grid || checker.grid_stands_in) return;
   const std::string key = options.horizon ? "nonlocality.horizon" : "nonlocality.horizon_ratio";
   const Grid& grid = *checker.grid;
   const double horizon = horizon_of(checker.problem);
@@ -240,6 +256,7 @@ void check_regions(Checker& checker) {
   const auto& regions = checker.problem.body.regions;
   if (!checker.grid) return;
   const Grid& grid = *checker.grid;
+  const double slack = checker.search_slack();
   bool all_sound = checker.sound("body.region");
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const std::string key = entry("body.region", i) + ".shape";
@@ -247,8 +264,8 @@ void check_regions(Checker& checker) {
     if (!checker.accept(key, find_fault(regions[i].shape, grid.dimension))) {
       all_sound = false;
     } else if (grid.size() <= largest_search &&
-               !any_point(grid, [&shape = regions[i].shape, &grid](const Point& place) {
-                 return contains(shape, place, slack_of(grid));
+               !any_point(grid, [&shape = regions[i].shape, slack](const Point& place) {
+                 return contains(shape, place, slack);
                })) {
       checker.add(key, "contains no point of the body", "Move or enlarge it, or choose smaller cells");
     }

@@ -37,8 +37,8 @@ bool check_place(Checker& checker, const std::string& key, const BoundaryOptions
 void check_selection(Checker& checker, const std::string& key, const BoundaryOptions& boundary) {
   const Grid& grid = *checker.grid;
   if (!boundary.where || grid.size() > largest_search) return;
-  const auto selected = [&boundary, &grid](const Point& place) {
-    return contains(*boundary.where, place, slack_of(grid));
+  const auto selected = [&boundary, slack = checker.search_slack()](const Point& place) {
+    return contains(*boundary.where, place, slack);
   };
   if (boundary.face) {
     if (any_wall_point(grid, *boundary.face, selected)) return;

@@ -29,7 +29,7 @@ std::string box_text(const Grid& grid) {
   return text + " m";
 }
 
-/// Lower and upper corner of a box around the crack, which must have no fault.
+/// Does the crack, which must have no fault, stay clear of the body?
 bool misses_body(const Crack& crack, const Grid& grid) {
   std::vector<Coordinates> corners = crack.points;
   if (crack.disc) {

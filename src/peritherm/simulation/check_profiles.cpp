@@ -77,8 +77,9 @@ void check_profiles(Checker& checker) {
     const Grid& grid = *checker.grid;
     if (!checker.accept(key + ".where", find_fault(*source.where, grid.dimension))) continue;
     if (grid.size() > largest_search) continue;
-    const bool reaches = any_point(
-        grid, [&source, &grid](const Point& place) { return contains(*source.where, place, slack_of(grid)); });
+    const bool reaches = any_point(grid, [&source, slack = checker.search_slack()](const Point& place) {
+      return contains(*source.where, place, slack);
+    });
     if (!reaches) checker.add(key + ".where", "contains no point of the body", "Move or enlarge it");
   }
   for (std::size_t i = 0; i < problem.boundaries.size(); ++i) {

@@ -14,7 +14,11 @@ struct Checker {
   const Locations& locations;
   const std::vector<std::string>& broken;  ///< keys that could not be read; rules on them would only echo that
   std::optional<Grid> grid;                ///< once the body has passed its rules
+  bool grid_stands_in = false;             ///< the body's own cells are wrong; the grid is a coarse one over its box
   std::vector<Issue> issues;
+
+  /// Within this distance of a point a shape counts as containing it: rounding, or a whole cell of a coarse grid [m].
+  double search_slack() const { return grid->spacing * (grid_stands_in ? 1.0 : 1e-9); }
 
   /// Was everything under the key, and the key itself, read without an issue?
   bool sound(std::string_view key) const;

@@ -28,10 +28,10 @@ StencilOptions stencil_options(const Problem& problem) {
           problem.nonlocality.calibration};
 }
 
-/// States that an integrator keeps beside the temperature.
+/// States of a run: the temperature and what its integrator keeps.
 int state_count(const TimeStepping& integrator) {
   if (std::holds_alternative<ForwardEuler>(integrator)) return 2;
-  return 4;
+  return std::holds_alternative<RungeKutta4>(integrator) ? 4 : 5;
 }
 
 /// Evaluations of rkl2 grow like the root of time over the fastest decay and the sixth root of accuracy; the factor
@@ -117,10 +117,6 @@ double bound_rate(const Geometry& geometry) {
   }
   return rate * largest_symbol(geometry.stencil, geometry.body.grid.dimension) / geometry.body.grid.cell_volume();
 }
-
-}  // namespace
-
-namespace {
 
 double memory_estimate(const Problem& problem) {
   const Grid grid = make_grid(problem);

@@ -114,7 +114,7 @@ struct NumericsOptions {
   static constexpr auto options() {
     return std::tuple{
         optional("backend", &NumericsOptions::backend, "how conduction is evaluated"),
-        optional("threads", &NumericsOptions::threads, "", not_negative, "number of threads; 0: all cores")};
+        optional("threads", &NumericsOptions::threads, "", not_negative, "number of threads; 0: as many cores as pay")};
   }
   bool operator==(const NumericsOptions&) const = default;
 };

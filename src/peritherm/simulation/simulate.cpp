@@ -21,6 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr long evaluations_between_looks = 8;
+
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Heat that came in against heat that is stored.
@@ -190,8 +192,8 @@ class March {
     double time = 0.0;
     for (const double next : gallery_.times()) {
       if (next <= time) continue;
-      const double reached =
-          integrator_->advance(time, next, state_, [this](double now, ConstField) { return after_step(now); });
+      const double reached = integrator_->advance(
+          time, next, state_, [this](double now, ConstField temperature) { return after_step(now, temperature); });
       time = reached;
       record(time);
       const bool stopped = reached < next;
@@ -215,9 +217,13 @@ class March {
     summary_.files = gallery_.files();
   }
 
-  bool after_step(double now) {
-    const auto [lowest, highest] = assembly_.system->extremes(state_);
-    if (!std::isfinite(lowest) || !std::isfinite(highest)) report_not_finite(assembly_, state_, now);
+  bool after_step(double now, ConstField temperature) {
+    // Looking at every point costs as much as a part of an evaluation, so short steps are not all looked at.
+    if (integrator_->count().evaluations >= looked_at_ + evaluations_between_looks) {
+      const auto [lowest, highest] = assembly_.system->extremes(temperature);
+      if (!std::isfinite(lowest) || !std::isfinite(highest)) report_not_finite(assembly_, temperature, now);
+      looked_at_ = integrator_->count().evaluations;
+    }
     summary_.end_time = now;
     if (settings_.on_progress) {
       settings_.on_progress({now, problem_.time.end, integrator_->count(), seconds_since(start_)});
@@ -233,6 +239,7 @@ class March {
   std::vector<double> state_;
   EnergyBalance balance_;
   std::unique_ptr<TimeIntegrator> integrator_;
+  long looked_at_ = -evaluations_between_looks;
   Clock::time_point start_ = Clock::now();
 };
 
@@ -249,12 +256,13 @@ RunSummary run(const Problem& problem, const RunSettings& settings) {
   Assembly assembly = assemble(problem);
   RunSummary summary;
   summary.plan = make_plan(problem, assembly.geometry, assembly.system->fastest_rate(), threads);
+  // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
+  March march(problem, settings, assembly, summary);
   prepare_folder(settings);
   if (settings.on_plan) settings.on_plan(summary.plan);
   write_file(settings.folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +
                                                     "; running it again reproduces the run.\n" +
                                                     write_problem(problem));
-  March march(problem, settings, assembly, summary);
   try {
     march.go();
   } catch (const Error&) {

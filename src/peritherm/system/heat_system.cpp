@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <exception>
 #include <unordered_map>
 
 namespace peritherm {

@@ -115,7 +115,7 @@ RC_GTEST_PROP(Region, between_two_neighbouring_crossings_a_way_stays_on_one_side
   }
 }
 
-struct Faulty {
+struct FaultyShape {
   Shape shape;
   int dimension;
   std::string words;
@@ -123,24 +123,25 @@ struct Faulty {
 
 TEST(Region, faults_are_named) {
   const double nan = std::nan("");
-  const std::vector<Faulty> cases{{Box{{0.0}, {1.0, 1.0}}, 2, "'from' has 1 coordinates. Give 2"},
-                                  {Box{{0.0, 0.0}, {1.0, 0.0}}, 2, "along y. Give the lower corner first"},
-                                  {Box{{0.0, nan}, {1.0, 1.0}}, 2, "'from' is not finite"},
-                                  {Ball{{0.0, 0.0, 0.0}, 1.0}, 2, "'centre' has 3 coordinates. Give 2"},
-                                  {Ball{{0.0, 0.0}, 0.0}, 2, "'radius' must be positive"},
-                                  {Cylinder{{0.0}, {1.0}, 1.0}, 1, "Use a box in 1-D"},
-                                  {Cylinder{{0.0, 1.0}, {0.0, 1.0}, 1.0}, 2, "the same point"},
-                                  {Cylinder{{0.0, 1.0}, {0.0, 2.0}, -1.0}, 2, "'radius' must be positive"},
-                                  {HalfSpace{{0.0, 0.0}, 1.0}, 2, "'normal' has no direction"},
-                                  {HalfSpace{{0.0, 1.0}, nan}, 2, "'offset' is not finite"},
-                                  {Polygon{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}}, 1, "Use a box in 1-D"},
-                                  {Polygon{{{0.0, 0.0}, {1.0, 0.0}}}, 2, "fewer than three corners"},
-                                  {Polygon{{{0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0}}}, 3, "two entries, x and y"},
-                                  {Polygon{{{0.0, 0.0}, {1.0, 0.0}, {0.0, nan}}}, 2, "not finite"},
-                                  {Polygon{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 0.0}}}, 2, "repeats the first"},
-                                  {Polygon{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}}, 2, "the same point"},
-                                  {Polygon{{{0.0, 0.0}, {1.0, 1.0}, {2.0, 2.0}}}, 2, "no area"},
-                                  {Polygon{{{0.0, 0.0}, {2.0, 1.0}, {2.0, 0.0}, {0.0, 2.0}}}, 2, "meet or cross"}};
+  const std::vector<FaultyShape> cases{
+      {Box{{0.0}, {1.0, 1.0}}, 2, "'from' has 1 coordinates. Give 2"},
+      {Box{{0.0, 0.0}, {1.0, 0.0}}, 2, "along y. Give the lower corner first"},
+      {Box{{0.0, nan}, {1.0, 1.0}}, 2, "'from' is not finite"},
+      {Ball{{0.0, 0.0, 0.0}, 1.0}, 2, "'centre' has 3 coordinates. Give 2"},
+      {Ball{{0.0, 0.0}, 0.0}, 2, "'radius' must be positive"},
+      {Cylinder{{0.0}, {1.0}, 1.0}, 1, "Use a box in 1-D"},
+      {Cylinder{{0.0, 1.0}, {0.0, 1.0}, 1.0}, 2, "the same point"},
+      {Cylinder{{0.0, 1.0}, {0.0, 2.0}, -1.0}, 2, "'radius' must be positive"},
+      {HalfSpace{{0.0, 0.0}, 1.0}, 2, "'normal' has no direction"},
+      {HalfSpace{{0.0, 1.0}, nan}, 2, "'offset' is not finite"},
+      {Polygon{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}}, 1, "Use a box in 1-D"},
+      {Polygon{{{0.0, 0.0}, {1.0, 0.0}}}, 2, "fewer than three corners"},
+      {Polygon{{{0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0}}}, 3, "two entries, x and y"},
+      {Polygon{{{0.0, 0.0}, {1.0, 0.0}, {0.0, nan}}}, 2, "not finite"},
+      {Polygon{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 0.0}}}, 2, "repeats the first"},
+      {Polygon{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}}, 2, "the same point"},
+      {Polygon{{{0.0, 0.0}, {1.0, 1.0}, {2.0, 2.0}}}, 2, "no area"},
+      {Polygon{{{0.0, 0.0}, {2.0, 1.0}, {2.0, 0.0}, {0.0, 2.0}}}, 2, "meet or cross"}};
   for (const auto& [shape, dimension, words] : cases) {
     EXPECT_NE(find_fault(shape, dimension).find(words), std::string::npos) << "got: " << find_fault(shape, dimension);
   }

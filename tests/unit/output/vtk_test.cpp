@@ -56,12 +56,12 @@ class Vtk : public OutputTest {
   }
 };
 
-double sample(const Point& x) { return x[0] < 0.12 ? not_a_number : 1.0 / (1.0 + x[0] + 3.0 * x[1] + 7.0 * x[2]); }
+double hole_sample(const Point& x) { return x[0] < 0.12 ? not_a_number : 1.0 / (1.0 + x[0] + 3.0 * x[1] + 7.0 * x[2]); }
 
 TEST_F(Vtk, a_written_file_reads_back_bit_by_bit) {
   // 32 × 32 × 33 doubles are more than one block of the file.
   const Grid grid{3, 0.1, {32, 32, 33}, {0.0, -2.0, 1.0}, PointPlacement::centres};
-  const SampleBody body(grid, sample);
+  const SampleBody body(grid, hole_sample);
   make_observer(VtkOutput{}, folder_)->observe(body.snapshot(0.1));
   const ReadImage image = read_with_vtk(folder_ / "fields" / "0000.vti");
   if (!image.available) GTEST_SKIP() << "python3-vtk9";

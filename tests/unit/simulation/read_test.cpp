@@ -10,7 +10,7 @@
 namespace peritherm {
 namespace {
 
-struct Mistake {
+struct ReadingMistake {
   std::string_view piece;
   std::string_view replacement;
   std::string key;
@@ -18,7 +18,7 @@ struct Mistake {
   std::string words;
 };
 
-void expect_single_issue(const std::vector<Issue>& issues, const Mistake& mistake) {
+void expect_single_issue(const std::vector<Issue>& issues, const ReadingMistake& mistake) {
   ASSERT_EQ(issues.size(), 1u) << mistake.replacement << "\n" << (issues.empty() ? "" : Error(issues).what());
   EXPECT_EQ(issues[0].where.file, "case.toml");
   EXPECT_EQ(issues[0].where.key, mistake.key) << to_string(issues[0]);
@@ -57,7 +57,7 @@ TEST(Read, every_key_knows_where_it_stands) {
 }
 
 TEST(Read, one_mistake_gives_one_issue_with_key_line_and_words) {
-  const Mistake mistakes[] = {
+  const ReadingMistake mistakes[] = {
       {"conductivity = \"1.14 W/(cm K)\"", "conductivity = -16", "materials.plate.conductivity", 13,
        "must be positive. Got -16 W/(m K)"},
       {"\"1 J/(kg K)\"", "\"3 mm\"", "materials.plate.specific_heat", 15,
@@ -95,7 +95,7 @@ TEST(Read, one_mistake_gives_one_issue_with_key_line_and_words) {
       {"\"2 mm/s\"", "\"-2 mm/s\"", "crack.0.tip_speed", 38, "must be positive. Got -0.002 m/s"},
       {"tip_speed = \"2 mm/s\"", "transmission = 1.5", "crack.0.transmission", 38, "must lie between 0 and 1. Got 1.5"},
   };
-  for (const Mistake& mistake : mistakes) {
+  for (const ReadingMistake& mistake : mistakes) {
     expect_single_issue(issues_of(changed(mistake.piece, mistake.replacement)), mistake);
   }
 }
