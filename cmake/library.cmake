@@ -13,6 +13,10 @@ foreach(room IN LISTS PERITHERM_ROOMS)
   list(APPEND headers ${room_headers})
 endforeach()
 
+# This one compiles what toml++ merely declares everywhere else.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/peritherm/simulation/toml_implementation.cpp
+                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+
 # Instruction sets: x86-64 takes the real files, every other processor their neighbours *_unavailable.cpp.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   list(FILTER sources EXCLUDE REGEX "_unavailable\\.cpp$")

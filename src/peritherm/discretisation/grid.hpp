@@ -58,6 +58,13 @@ struct Grid {
     for (int axis = 0; axis < dimension; ++axis) x[axis] = origin[axis] + (p[axis] + first_depth()) * spacing;
     return x;
   }
+  /// Place on a face that lies opposite a point [m].
+  Point wall_position(Face face, const GridIndex& p) const {
+    Point x = position(p);
+    const int axis = axis_of(face);
+    x[axis] = origin[axis] + (is_upper(face) ? length(axis) : 0.0);
+    return x;
+  }
   bool contains(const GridIndex& p) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (p[axis] < 0 || p[axis] >= count(axis)) return false;

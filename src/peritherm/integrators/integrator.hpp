@@ -37,6 +37,9 @@ class TimeIntegrator {
 struct ForwardEuler {
   std::optional<double> step;  ///< [s]; none: safety times the stable step
   double safety = 0.9;
+  static constexpr double stability = 2.0;  ///< longest stable step times the fastest decay rate
+  static constexpr int stages = 1;          ///< evaluations per step
+  static constexpr int states = 2;          ///< that a run holds, the temperature included
   static constexpr std::string_view name = "euler";
   static constexpr std::string_view help = "forward Euler, first order";
   static constexpr auto options() {
@@ -51,6 +54,9 @@ struct ForwardEuler {
 struct RungeKutta4 {
   std::optional<double> step;  ///< [s]; none: safety times the stable step
   double safety = 0.9;
+  static constexpr double stability = 2.785;  ///< |R(z)| <= 1 for real z down to -2.7853
+  static constexpr int stages = 4;
+  static constexpr int states = 4;
   static constexpr std::string_view name = "rk4";
   static constexpr std::string_view help = "classical Runge-Kutta, fourth order";
   static constexpr auto options() {
@@ -63,7 +69,9 @@ struct RungeKutta4 {
 
 /// Runge-Kutta-Legendre method of second order with error control: s² stability from s stages.
 struct RungeKuttaLegendre {
-  double relative_tolerance = 1e-5;  ///< error per step over the span of temperatures
+  double relative_tolerance = 1e-5;         ///< error per step over the span of temperatures
+  static constexpr double stability = 2.0;  ///< of forward Euler, which its stages extend
+  static constexpr int states = 5;
   static constexpr std::string_view name = "rkl2";
   static constexpr std::string_view help = "adaptive Runge-Kutta-Legendre, second order, stable at large steps";
   static constexpr auto options() {

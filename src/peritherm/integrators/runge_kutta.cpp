@@ -64,7 +64,8 @@ class FixedStepIntegrator : public TimeIntegrator {
 class Euler final : public FixedStepIntegrator {
  public:
   Euler(const ForwardEuler& options, ThermalSystem& system)
-      : FixedStepIntegrator(ForwardEuler::name, options.step, options.safety, 2.0, system), moved_(system.size()) {}
+      : FixedStepIntegrator(ForwardEuler::name, options.step, options.safety, ForwardEuler::stability, system),
+        moved_(system.size()) {}
 
  private:
   void move(double time, double step, Field temperature) override {
@@ -78,11 +79,8 @@ class Euler final : public FixedStepIntegrator {
 
 class Classical final : public FixedStepIntegrator {
  public:
-  /// |R(z)| ≤ 1 for real z down to −2.7853.
-  static constexpr double stability = 2.785;
-
   Classical(const RungeKutta4& options, ThermalSystem& system)
-      : FixedStepIntegrator(RungeKutta4::name, options.step, options.safety, stability, system),
+      : FixedStepIntegrator(RungeKutta4::name, options.step, options.safety, RungeKutta4::stability, system),
         first_(system.size()),
         second_(system.size()),
         third_(system.size()) {}

@@ -12,6 +12,8 @@ namespace peritherm {
 namespace {
 
 constexpr int most_stages = 399;
+/// Steps this short against the fastest decay are good enough even across a jump of a source or a boundary value.
+constexpr double resolved = 0.01;
 constexpr long steps_between_looks = 8;  // at the span of temperatures, which changes slowly
 
 /// b_j of the Runge-Kutta-Legendre method [meyer2014, eq. 16].
@@ -40,7 +42,7 @@ class Legendre final : public TimeIntegrator {
         slope_(system.size()) {}
 
   StepCount count() const override { return count_; }
-  double stable_step() const override { return 2.0 / rate_; }
+  double stable_step() const override { return RungeKuttaLegendre::stability / rate_; }
 
   double advance(double from, double to, Field temperature, const AfterStep& after_step) override {
     double time = from;
@@ -56,16 +58,16 @@ class Legendre final : public TimeIntegrator {
       const bool last = step >= to - time;
       const double next = last ? to : time + step;
       if (system_.begin_step(time, next) || !slope_known) evaluate(time, start_, 1.0, {}, slope_);
-      const double error = try_step(time, step);
+      const double error = try_step(time, step, to - time);
       slope_known = true;
       const double factor = 0.8 / std::cbrt(std::max(error, 1e-9));
-      if (error <= 1.0) {
+      if (error <= 1.0 || (std::isfinite(error) && step * rate_ < resolved)) {
         std::swap(start_, latest_);
         std::swap(slope_, previous_);
         time = next;
         ++count_.accepted;
         if (count_.accepted % steps_between_looks == 0) include(start_);
-        const double longer = step * std::clamp(factor, 0.3, 3.0);
+        const double longer = step * std::clamp(factor, error > 1.0 ? 1.0 : 0.3, 3.0);
         step_ = step < wanted ? std::max(longer, factor < 1.0 ? 0.0 : step_) : longer;
         go_on = after_step(time, start_);
       } else {
@@ -97,7 +99,7 @@ class Legendre final : public TimeIntegrator {
   }
 
   /// Leaves the new temperature in latest_ and its slope in previous_; returns the error over the tolerance.
-  double try_step(double time, double step) {
+  double try_step(double time, double step, double rest) {
     const int stages = stages_for(step * rate_);
     const double w = 4.0 / (static_cast<double>(stages) * stages + stages - 2.0);
     const double first_share = legendre_weight(1) * w;
@@ -120,13 +122,15 @@ class Legendre final : public TimeIntegrator {
     evaluate(time + step, latest_, 1.0, {}, previous_);
     const Term error[] = {
         {0.8, start_.data()}, {-0.8, latest_.data()}, {0.4 * step, slope_.data()}, {0.4 * step, previous_.data()}};
-    const Term change[] = {{step, slope_.data()}};
-    const double scale = std::max(highest_ - lowest_, system_.rms(change));
+    // From one temperature everywhere, the change that the rest of the way promises is the only measure.
+    const Term promise[] = {{rest, previous_.data()}};
+    const double span = highest_ - lowest_;
+    const double rounding =
+        8.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(lowest_), std::abs(highest_));
+    const double scale = span > rounding ? span : system_.rms(promise);
     const double size = system_.rms(error);
     // Where all temperatures are alike, rounding is all there is, and no shorter step would lower it.
-    const double noise = 8.0 * std::numeric_limits<double>::epsilon() *
-                         std::max(std::abs(lowest_), std::abs(highest_)) * (1.0 + step * rate_);
-    return size <= noise ? 0.0 : size / (tolerance_ * scale);
+    return size <= rounding * (1.0 + step * rate_) ? 0.0 : size / (tolerance_ * scale);
   }
 
   void reject(double time, double step, double factor, double error) {

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "peritherm/base/error.hpp"
 #include "peritherm/operators/conduction.hpp"
 
 namespace peritherm {
@@ -14,6 +16,10 @@ class BondOperator final : public ConductionOperator {
         entries_(std::move(entries)),
         inverse_capacities_(std::move(inverse_capacities)),
         size_(field_size) {
+    if (field_size > static_cast<std::size_t>(std::numeric_limits<PointIndex>::max())) {
+      throw Error("the bond backend numbers at most 2147483647 points and fictitious points",
+                  "Choose fewer cells, or the stencil backend");
+    }
     neighbours_.assign(bonds_.neighbours.begin(), bonds_.neighbours.end());
     bonds_.neighbours = {};
     for (std::size_t row = 0; row < rows(); ++row) {

@@ -10,14 +10,6 @@ double sign_of(WallKind kind) {
   return kind == WallKind::odd ? -1.0 : 0.0;
 }
 
-/// The point of the layer itself that lies on or next to a face, with the same place along the face.
-Point on_wall(const Grid& grid, Face face, const GridIndex& p) {
-  Point x = grid.position(p);
-  const int axis = axis_of(face);
-  x[axis] = grid.origin[axis] + (is_upper(face) ? grid.length(axis) : 0.0);
-  return x;
-}
-
 }  // namespace
 
 GhostLayer::GhostLayer(const Body& body, const PaddedGrid& layout, const std::vector<std::int16_t>& held_by,
@@ -111,7 +103,7 @@ std::vector<WallPlace> GhostLayer::places_at(const Body& body, Face face, const 
   }
   for (std::size_t k = 0; k < terms.size(); ++k) {
     if (terms[k].first == 0.0) continue;
-    Point x = on_wall(body.grid, face, terms[k].second);
+    Point x = body.grid.wall_position(face, terms[k].second);
     for (int axis = 0; axis < 3; ++axis) {
       if (edges[k][axis] < 0) x[axis] = body.grid.origin[axis];
       if (edges[k][axis] > 0) x[axis] = body.grid.origin[axis] + body.grid.length(axis);

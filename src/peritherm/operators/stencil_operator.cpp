@@ -16,14 +16,14 @@ constexpr int block_rows = StencilProgram::block_rows;
 constexpr int band_rows = 4 * block_rows;  // rows that are worked on together, so that their sources stay in cache
 constexpr int tile_columns = 96;
 
-/// One thread's room for sums and folded planes.
+/// One thread's room for sums and folded planes; it is kept between evaluations.
 class Workspace {
  public:
-  Workspace(const StencilProgram& program, int radius)
-      : sums_(static_cast<std::size_t>(block_rows * stride())),
-        plane_stride_(tile_columns + lanes_margin + 2 * radius),
-        plane_rows_(band_rows + block_rows + 2 * radius),
-        planes_(static_cast<std::size_t>(program.planes)) {
+  void fit(const StencilProgram& program) {
+    plane_stride_ = tile_columns + lanes_margin + 2 * program.radius;
+    plane_rows_ = band_rows + block_rows + 2 * program.radius;
+    sums_.resize(static_cast<std::size_t>(block_rows * stride()));
+    planes_.resize(static_cast<std::size_t>(program.planes));
     if (program.planes > 1) {
       folded_.resize(static_cast<std::size_t>(program.planes * plane_stride_ * plane_rows_) + lanes_margin);
     }
@@ -58,7 +58,7 @@ class Workspace {
 
  private:
   std::vector<double> sums_;
-  std::ptrdiff_t plane_stride_, plane_rows_;
+  std::ptrdiff_t plane_stride_ = 0, plane_rows_ = 0;
   std::vector<double> folded_;
   std::vector<FoldedPlane> planes_;
 };
@@ -95,7 +95,8 @@ class StencilOperator final : public ConductionOperator {
     const std::int64_t count = static_cast<std::int64_t>(grid.count(2)) * bands * strips;
 #pragma omp parallel
     {
-      Workspace workspace(program_, program_.radius);
+      thread_local Workspace workspace;
+      workspace.fit(program_);
 #pragma omp for schedule(static)
       for (std::int64_t task = 0; task < count; ++task) {
         const int strip = static_cast<int>(task % strips);

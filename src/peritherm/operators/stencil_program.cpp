@@ -60,7 +60,6 @@ StencilProgram make_stencil_program(const Stencil& stencil, int dimension) {
           const double scale = distance == 0 ? 0.5 : 1.0;
           program.weights.push_back(weight == by_height.end() ? 0.0 : scale * weight->second);
         }
-        program.multiplies += static_cast<double>(served.high - served.low + 1) / block;
       }
       for (const auto& [served, pairs] : groups) {
         program.steps.push_back({plane, row, served.low, served.high, static_cast<std::int32_t>(program.pairs.size()),

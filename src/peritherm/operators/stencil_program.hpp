@@ -35,7 +35,6 @@ struct StencilProgram {
   std::vector<Step> steps;
   std::vector<Pair> pairs;
   std::vector<double> weights;
-  double multiplies = 0.0;  ///< fused multiply-adds per point
 };
 
 /// The stencil with its centre, −Σ G, so that the program yields Σ G (T_j − T_i).

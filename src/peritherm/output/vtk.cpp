@@ -62,22 +62,22 @@ void write_array(std::ostream& out, std::size_t count, const ValueAt& value_at) 
 }
 
 void write_field(std::ostream& out, const Snapshot& snapshot, FieldName field) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const auto materials = snapshot.materials;
   const std::size_t count = snapshot.grid.size();
   const auto present = [materials](std::size_t i) { return materials.empty() || materials[i] != cut_away; };
   switch (field) {
     case FieldName::temperature:
-      write_array<double>(out, count, [&](std::size_t i) { return present(i) ? snapshot.temperature[i] : nothing; });
+      write_array<double>(out, count, [&](std::size_t i) { return present(i) ? snapshot.temperature[i] : not_a_number; });
       break;
     case FieldName::heat_flux: {
       const std::vector<Point> flux = snapshot.heat_flux();
-      write_array<double>(out, 3 * count, [&](std::size_t k) { return present(k / 3) ? flux[k / 3][k % 3] : nothing; });
+      write_array<double>(out, 3 * count, [&](std::size_t k) { return present(k / 3) ? flux[k / 3][k % 3] : not_a_number; });
       break;
     }
     case FieldName::damage: {
       const std::vector<double> damage = snapshot.damage();
-      write_array<double>(out, count, [&](std::size_t i) { return present(i) ? damage[i] : nothing; });
+      write_array<double>(out, count, [&](std::size_t i) { return present(i) ? damage[i] : not_a_number; });
       break;
     }
     case FieldName::material:

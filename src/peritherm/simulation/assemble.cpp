@@ -82,19 +82,13 @@ void for_layer(const Grid& grid, Face face, int depth, Visit&& visit) {
   }
 }
 
-Point projection(const Grid& grid, Face face, const GridIndex& p) {
-  Point x = grid.position(p);
-  x[axis_of(face)] = grid.origin[axis_of(face)] + (is_upper(face) ? grid.length(axis_of(face)) : 0.0);
-  return x;
-}
-
 void place_on_face(const BoundaryOptions& boundary, std::size_t number, Body& body) {
   FaceWalls& wall = body.walls[static_cast<int>(*boundary.face)];
   wall.open = wall.open || is_open(boundary);
   if (wall.boundary_of.empty()) wall.boundary_of.assign(body.wall_places(*boundary.face), -1);
   const double slack = 1e-9 * body.grid.spacing;
   for_layer(body.grid, *boundary.face, 0, [&](const GridIndex& p) {
-    if (boundary.where && !contains(*boundary.where, projection(body.grid, *boundary.face, p), slack)) return;
+    if (boundary.where && !contains(*boundary.where, body.grid.wall_position(*boundary.face, p), slack)) return;
     wall.boundary_of[body.wall_place(*boundary.face, p)] = static_cast<std::int16_t>(number);
   });
 }
@@ -246,6 +240,10 @@ std::vector<HeatedPart> make_sources(const Problem& problem, const Geometry& geo
       const double volume = body.grid.cell_volume() * body.grid.volume_share(p);
       part.points.push_back({static_cast<std::int64_t>(layout.entry(p)), x, volume,
                              1.0 / (volumetric_heat_capacity(body.materials[body.material_of[n]]) * volume)});
+    }
+    if (part.points.empty()) {
+      throw Error("source." + std::to_string(parts.size()) + ": heats no point, for all of them are cut away or held",
+                  "Move or enlarge its shape");
     }
     parts.push_back(std::move(part));
   }

@@ -147,7 +147,7 @@ void check_count(Checker& checker, const Grid& grid) {
 std::optional<Grid> stand_in_grid(const BodyOptions& body) {
   const double shortest_length = *std::min_element(body.size.begin(), body.size.end());
   const std::vector<double> cells = nearest_cubes(body.size, std::round(30.0 * body.size[0] / shortest_length));
-  if (cells.empty()) return std::nullopt;
+  if (cells.empty() || *std::max_element(cells.begin(), cells.end()) > 1e5) return std::nullopt;
   Problem problem;
   problem.body = body;
   problem.body.spacing.reset();
@@ -242,6 +242,11 @@ void check_horizon(Checker& checker) {
     return checker.add(
         key, name + " reaches no neighbour",
         options.horizon ? "Choose at least the spacing, " + length_text(grid.spacing) : "Choose at least 1");
+  }
+  try {
+    make_stencil({options.kernel, horizon, options.partial_volumes, options.calibration}, grid.spacing, grid.dimension);
+  } catch (const Error& error) {
+    return checker.add(key, error.issues().front().problem, error.issues().front().hint);
   }
   const int fewest = *std::min_element(grid.cells.begin(), grid.cells.begin() + grid.dimension);
   // Fictitious points mirror the body once, so they must not reach beyond its far side.

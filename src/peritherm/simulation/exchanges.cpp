@@ -1,6 +1,7 @@
 #include <cmath>
 #include <optional>
 
+#include "peritherm/base/error.hpp"
 #include "peritherm/simulation/assemble.hpp"
 
 namespace peritherm {
@@ -46,14 +47,16 @@ class ExchangeBuilder {
     }
   }
 
-  /// Selected points exchange heat through the surface that their missing neighbours leave open:
-  /// its area is |Σ G ξ| over the missing bonds of unit conductivity.
+  /// Selected points exchange heat through their cells' faces towards what is missing. On a staircase a face counts
+  /// with the share of its area that looks along the surface's normal, so that slanted and curved surfaces keep their
+  /// area.
   void add_selection(const Shape& where) {
     for (std::size_t n = 0; n < body_.grid.size(); ++n) {
       const GridIndex p = body_.grid.index(n);
+      if (body_.material_of[n] == no_material) continue;
       if (!contains(where, body_.grid.position(p), 1e-9 * body_.grid.spacing)) continue;
-      const double area = open_area(p) * body_.grid.volume_share(p);
-      if (area > 1e-9 * face_area()) add_point(p, area, 0.0, body_.grid.position(p), true);
+      const double area = open_area(p);
+      if (area > 0.0) add_point(p, area, 0.0, body_.grid.position(p), true);
     }
   }
 
@@ -94,10 +97,8 @@ class ExchangeBuilder {
       sum += shares[depth];
     }
     if (column.empty()) return;
-    double area = face_area() * body_.grid.volume_share(column[0]);
-    if (body_.grid.placement == PointPlacement::boundary) area *= 2.0;
-    Point wall = body_.grid.position(column[0]);
-    wall[axis] = body_.grid.origin[axis] + (is_upper(face) ? body_.grid.length(axis) : 0.0);
+    const double area = face_area() * share_along_face(axis, column[0]);
+    const Point wall = body_.grid.wall_position(face, column[0]);
     for (std::size_t depth = 0; depth < column.size(); ++depth) {
       const double distance = (static_cast<double>(depth) + body_.grid.first_depth()) * body_.grid.spacing;
       add_point(column[depth], area * shares[depth] / sum, distance, wall, depth == 0);
@@ -125,25 +126,41 @@ class ExchangeBuilder {
     exchanges.push_back(point);
   }
 
-  /// Places outside count as missing unless a boundary of their own stands there.
-  bool is_missing(const GridIndex& q) const {
-    const GridIndex folded = body_.fold(q);
-    if (folded == q) return body_.material_of[body_.grid.number(q)] == no_material;
+  /// Faces of the box without a boundary of their own are open, too.
+  double open_area(const GridIndex& p) const {
+    double area = 0.0;
     for (int axis = 0; axis < body_.grid.dimension; ++axis) {
-      if (folded[axis] == q[axis]) continue;
-      if (body_.boundary_at(make_face(axis, q[axis] > folded[axis]), q) >= 0) return false;
+      for (const int side : {-1, 1}) {
+        GridIndex q = p;
+        q[axis] += side;
+        if (!body_.grid.contains(q)) {
+          if (body_.boundary_at(make_face(axis, side > 0), p) < 0) area += face_area() * share_along_face(axis, p);
+        } else if (body_.material_of[body_.grid.number(q)] == no_material) {
+          area += face_area() * share_along_face(axis, p) * std::abs(normal_of_void(p)[axis]);
+        }
+      }
     }
-    return true;
+    return area;
   }
 
-  double open_area(const GridIndex& p) const {
+  /// Share of a whole cell's face across an axis that belongs to a point.
+  double share_along_face(int axis, const GridIndex& p) const {
+    const bool on_face =
+        body_.grid.placement == PointPlacement::boundary && (p[axis] == 0 || p[axis] == body_.grid.cells[axis]);
+    return body_.grid.volume_share(p) * (on_face ? 2.0 : 1.0);
+  }
+
+  /// Unit vector towards the voids within a point's horizon, from the bonds that end there.
+  std::array<double, 3> normal_of_void(const GridIndex& p) const {
     std::array<double, 3> sum{};
     for (const StencilEntry& entry : geometry_.stencil.entries) {
-      const GridIndex q{p[0] + entry.offset[0], p[1] + entry.offset[1], p[2] + entry.offset[2]};
-      if (!is_missing(q)) continue;
-      for (int axis = 0; axis < 3; ++axis) sum[axis] += entry.conductance * entry.offset[axis] * body_.grid.spacing;
+      const GridIndex q = body_.fold({p[0] + entry.offset[0], p[1] + entry.offset[1], p[2] + entry.offset[2]});
+      if (body_.material_of[body_.grid.number(q)] != no_material) continue;
+      for (int axis = 0; axis < 3; ++axis) sum[axis] += entry.conductance * entry.offset[axis];
     }
-    return std::hypot(sum[0], sum[1], sum[2]);
+    const double length = std::hypot(sum[0], sum[1], sum[2]);
+    if (length == 0.0) return {1.0, 1.0, 1.0};
+    return {sum[0] / length, sum[1] / length, sum[2] / length};
   }
 
   const Geometry& geometry_;
@@ -169,7 +186,10 @@ std::vector<SurfaceExchange> make_exchanges(const Problem& problem, const Geomet
     } else {
       builder.add_selection(*boundary.where);
     }
-    if (builder.exchanges.empty()) continue;
+    if (builder.exchanges.empty()) {
+      throw Error("boundary." + std::to_string(b) + ": acts on nothing, for no surface of the body is open there",
+                  "Choose a part at the body's surface that no other boundary holds");
+    }
     for (SurfaceExchange& point : builder.exchanges) {
       point.value += static_cast<std::int64_t>(values.size());
       all.push_back(point);

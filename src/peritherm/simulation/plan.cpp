@@ -28,12 +28,6 @@ StencilOptions stencil_options(const Problem& problem) {
           problem.nonlocality.calibration};
 }
 
-/// States of a run: the temperature and what its integrator keeps.
-int state_count(const TimeStepping& integrator) {
-  if (std::holds_alternative<ForwardEuler>(integrator)) return 2;
-  return std::holds_alternative<RungeKutta4>(integrator) ? 4 : 5;
-}
-
 /// Evaluations of rkl2 grow like the root of time over the fastest decay and the sixth root of accuracy; the factor
 /// was measured on a cracked plate.
 double rkl2_evaluations(double rate_times_end, double tolerance) {
@@ -60,8 +54,9 @@ double growth_evaluations(const Problem& problem, double spacing, double toleran
 double bytes_of_fields(const Grid& grid, int radius, int states) {
   double padded = 1.0;
   for (int axis = 0; axis < grid.dimension; ++axis) padded *= grid.count(axis) + 2.0 * radius;
-  // Materials, holders and special flags take 4 B a point; output gathers temperature and flux, 32 B.
-  return padded * 8.0 * states + static_cast<double>(grid.size()) * 36.0;
+  // Materials, holders and special flags take 4 B a point; output gathers temperature and flux, 32 B; the energy
+  // balance needs a field for a moment.
+  return padded * 8.0 * states + static_cast<double>(grid.size()) * 44.0;
 }
 
 double bytes_of_bonds(const Grid& grid, std::size_t bonds_per_point) {
@@ -93,36 +88,31 @@ double evaluation_seconds(const Problem& problem, const Stencil& stencil) {
   return bonds * stencil_seconds_per_bond + points * stencil_seconds_per_point;
 }
 
-void estimate_costs(const Problem& problem, const Geometry& geometry, double fastest_rate, int threads, Plan& plan) {
-  const auto* euler = std::get_if<ForwardEuler>(&problem.time.integrator);
-  const auto* classical = std::get_if<RungeKutta4>(&problem.time.integrator);
-  plan.stable_step = (classical != nullptr ? 2.785 : 2.0) / fastest_rate;
-  if (euler != nullptr) plan.step = euler->step.value_or(euler->safety * plan.stable_step);
-  if (classical != nullptr) plan.step = classical->step.value_or(classical->safety * plan.stable_step);
-  if (const auto* legendre = std::get_if<RungeKuttaLegendre>(&problem.time.integrator)) {
-    const double tolerance = legendre->relative_tolerance;
-    plan.evaluations = rkl2_evaluations(fastest_rate * problem.time.end, tolerance) +
-                       growth_evaluations(problem, geometry.body.grid.spacing, tolerance);
-  } else {
-    plan.evaluations = std::ceil(problem.time.end / plan.step) * (classical != nullptr ? 4.0 : 1.0);
-  }
-  plan.duration = plan.evaluations * evaluation_seconds(problem, geometry.stencil) / threads;
-}
-
-/// Bound of the fastest rate without building any operator.
-double bound_rate(const Geometry& geometry) {
-  double rate = 0.0;
-  for (const Material& material : geometry.body.materials) {
-    rate = std::max(rate, material.conductivity / volumetric_heat_capacity(material));
-  }
-  return rate * largest_symbol(geometry.stencil, geometry.body.grid.dimension) / geometry.body.grid.cell_volume();
+void estimate_costs(const Problem& problem, double fastest_rate, const Stencil& stencil, int threads, Plan& plan) {
+  const double end = problem.time.end;
+  std::visit(
+      [&](const auto& chosen) {
+        plan.stable_step = chosen.stability / fastest_rate;
+        if constexpr (requires { chosen.step; }) {
+          plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
+          plan.evaluations = std::ceil(end / plan.step) * chosen.stages;
+        } else {
+          plan.evaluations = rkl2_evaluations(fastest_rate * end, chosen.relative_tolerance) +
+                             growth_evaluations(problem, plan.spacing, chosen.relative_tolerance);
+        }
+      },
+      problem.time.integrator);
+  plan.duration = plan.evaluations * evaluation_seconds(problem, stencil) / threads;
 }
 
 double memory_estimate(const Problem& problem) {
   const Grid grid = make_grid(problem);
   const StencilOptions options = stencil_options(problem);
   const double ratio = options.horizon / grid.spacing;
-  double bytes = bytes_of_fields(grid, static_cast<int>(std::ceil(ratio + 0.5)), state_count(problem.time.integrator));
+  double bytes = bytes_of_fields(grid, static_cast<int>(std::ceil(ratio + 0.5)),
+                                 std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
+  // Heated points carry their place and heat capacity, and a field holds their rates.
+  if (!problem.sources.empty()) bytes += 64.0 * static_cast<double>(grid.size());
   if (choose_backend(problem) == BackendName::bond) {
     bytes += bytes_of_bonds(grid, make_stencil(options, grid.spacing, grid.dimension).entries.size());
   }
@@ -144,7 +134,8 @@ int set_threads(const Problem& problem) {
   return threads;
 }
 
-Plan make_plan(const Problem& problem, const Geometry& geometry, std::optional<double> fastest_rate, int threads) {
+Plan make_plan(const Problem& problem, const Assembly& assembly, int threads) {
+  const Geometry& geometry = assembly.geometry;
   const Body& body = geometry.body;
   Plan plan;
   plan.dimension = body.grid.dimension;
@@ -153,13 +144,24 @@ Plan make_plan(const Problem& problem, const Geometry& geometry, std::optional<d
   plan.points = static_cast<std::size_t>(std::count_if(body.material_of.begin(), body.material_of.end(),
                                                        [](MaterialIndex m) { return m != no_material; }));
   plan.bonds = count_bonds(body, geometry.stencil);
-  for (const CutBond& cut : find_cut_bonds(body, geometry.stencil))
+  for (const CutBond& cut : find_cut_bonds(body, geometry.stencil)) {
     plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
-  plan.backend = name_of(choose_backend(problem));
+  }
+  plan.backend = name_of(assembly.backend);
   plan.integrator = std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
-  plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem)) + 24 * plan.cut_bonds * 2;
-  estimate_costs(problem, geometry, fastest_rate.value_or(bound_rate(geometry)), threads, plan);
+  plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem));
+  if (assembly.backend == BackendName::stencil) plan.memory_bytes += assembly.system->bytes();
+  estimate_costs(problem, assembly.system->fastest_rate(), geometry.stencil, threads, plan);
   return plan;
+}
+
+Plan plan(const Problem& problem) {
+  refuse_if_too_large(problem);
+  const int threads = set_threads(problem);
+  const Assembly assembly = assemble(problem);
+  // Refuses a step beyond the stability limit, as the run would.
+  make_integrator(problem.time.integrator, *assembly.system);
+  return make_plan(problem, assembly, threads);
 }
 
 }  // namespace peritherm

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/simulate.hpp"
 
@@ -11,8 +9,7 @@ namespace peritherm {
 /// large has been allocated by then.
 void refuse_if_too_large(const Problem& problem);
 
-/// `fastest_rate`: of the system if it is built already, else a bound from the materials [1/s].
-Plan make_plan(const Problem& problem, const Geometry& geometry, std::optional<double> fastest_rate, int threads);
+Plan make_plan(const Problem& problem, const Assembly& assembly, int threads);
 
 /// Threads that a run uses; also tells OpenMP.
 int set_threads(const Problem& problem);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <regex>
 #include <sstream>
 
 #include "peritherm/base/file.hpp"
@@ -43,6 +44,8 @@ class EnergyBalance {
       flowed = std::max(flowed, std::abs(heat));
     }
     const double missing = std::abs(system_.stored_heat(state) - first_ - sum);
+    // Where next to nothing flows, a millionth of what is stored is the measure.
+    flowed = std::max(flowed, 1e-6 * capacity_ * std::max(std::abs(lowest_), std::abs(highest_)));
     return missing == 0.0 ? 0.0 : missing / std::max(flowed, std::numeric_limits<double>::min());
   }
 
@@ -153,6 +156,28 @@ class Gallery {
               Fault::numerics);
 }
 
+void remove_file(const std::filesystem::path& path) {
+  std::error_code failure;
+  std::filesystem::remove(path, failure);
+  if (failure) throw Error("cannot remove the older '" + path.string() + "'", failure.message(), Fault::machine);
+}
+
+/// What earlier runs wrote and this one may not; other files in the folder are left alone.
+void remove_old_results(const std::filesystem::path& folder) {
+  for (const char* name : {"resolved.toml", "summary.json", "probes.csv", "energy.csv", "fields.pvd"}) {
+    remove_file(folder / name);
+  }
+  const std::regex field("[0-9]{4,}\\.vti"), picture(".*_[0-9]{4,}\\.png");
+  for (const auto& [part, pattern] : {std::pair{"fields", &field}, std::pair{"pictures", &picture}}) {
+    if (!std::filesystem::is_directory(folder / part)) continue;
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / part)) {
+      if (std::regex_match(entry.path().filename().string(), *pattern)) old.push_back(entry.path());
+    }
+    for (const std::filesystem::path& path : old) remove_file(path);
+  }
+}
+
 void prepare_folder(const RunSettings& settings) {
   std::error_code failure;
   const bool exists = std::filesystem::exists(settings.folder, failure);
@@ -165,10 +190,7 @@ void prepare_folder(const RunSettings& settings) {
                 "Choose another one with --output, or replace its results with --overwrite", Fault::machine);
   }
   make_folder(settings.folder);
-  for (const char* result : {"fields", "pictures"}) std::filesystem::remove_all(settings.folder / result, failure);
-  for (const char* result : {"resolved.toml", "summary.json", "probes.csv", "energy.csv", "fields.pvd"}) {
-    std::filesystem::remove(settings.folder / result, failure);
-  }
+  remove_old_results(settings.folder);
 }
 
 /// The march from output time to output time.
@@ -195,6 +217,7 @@ class March {
       const double reached = integrator_->advance(
           time, next, state_, [this](double now, ConstField temperature) { return after_step(now, temperature); });
       time = reached;
+      look(time, state_);
       record(time);
       const bool stopped = reached < next;
       show(time, stopped);
@@ -203,12 +226,16 @@ class March {
     summary_.status = time < problem_.time.end ? "stopped" : "completed";
   }
 
-  void record(double time) {
-    summary_.end_time = time;
+  void count_up() {
     summary_.wall = seconds_since(start_);
     summary_.count = integrator_->count();
-    summary_.energy_relative_residual = balance_.residual(state_);
     summary_.peak_memory_bytes = peak_memory();
+  }
+
+  void record(double time) {
+    count_up();
+    summary_.end_time = time;
+    summary_.energy_relative_residual = balance_.residual(state_);
   }
 
  private:
@@ -217,13 +244,15 @@ class March {
     summary_.files = gallery_.files();
   }
 
+  void look(double now, ConstField temperature) {
+    const auto [lowest, highest] = assembly_.system->extremes(temperature);
+    if (!std::isfinite(lowest) || !std::isfinite(highest)) report_not_finite(assembly_, temperature, now);
+    looked_at_ = integrator_->count().evaluations;
+  }
+
   bool after_step(double now, ConstField temperature) {
     // Looking at every point costs as much as a part of an evaluation, so short steps are not all looked at.
-    if (integrator_->count().evaluations >= looked_at_ + evaluations_between_looks) {
-      const auto [lowest, highest] = assembly_.system->extremes(temperature);
-      if (!std::isfinite(lowest) || !std::isfinite(highest)) report_not_finite(assembly_, temperature, now);
-      looked_at_ = integrator_->count().evaluations;
-    }
+    if (integrator_->count().evaluations >= looked_at_ + evaluations_between_looks) look(now, temperature);
     summary_.end_time = now;
     if (settings_.on_progress) {
       settings_.on_progress({now, problem_.time.end, integrator_->count(), seconds_since(start_)});
@@ -245,17 +274,12 @@ class March {
 
 }  // namespace
 
-Plan plan(const Problem& problem) {
-  refuse_if_too_large(problem);
-  return make_plan(problem, make_geometry(problem), std::nullopt, set_threads(problem));
-}
-
 RunSummary run(const Problem& problem, const RunSettings& settings) {
   refuse_if_too_large(problem);
   const int threads = set_threads(problem);
   Assembly assembly = assemble(problem);
   RunSummary summary;
-  summary.plan = make_plan(problem, assembly.geometry, assembly.system->fastest_rate(), threads);
+  summary.plan = make_plan(problem, assembly, threads);
   // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
   March march(problem, settings, assembly, summary);
   prepare_folder(settings);
@@ -267,6 +291,7 @@ RunSummary run(const Problem& problem, const RunSettings& settings) {
     march.go();
   } catch (const Error&) {
     summary.status = "failed";
+    march.count_up();
     write_summary(summary, settings.folder);
     throw;
   }

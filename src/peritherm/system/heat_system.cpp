@@ -11,9 +11,14 @@ namespace peritherm {
 
 HeatSystem::HeatSystem(HeatSystemParts parts) : parts_(std::move(parts)), field_size_(parts_.conduction->size()) {
   const auto boundaries = static_cast<int>(parts_.boundary_names.size());
-  for (int b = 0; b < boundaries; ++b) accounts_.push_back({b, {}, {}, false});
+  for (int b = 0; b < boundaries; ++b) accounts_.push_back({.boundary = b});
+  for (std::size_t k = 0; k < parts_.exchanges.size(); ++k) {
+    Account& account = accounts_[static_cast<std::size_t>(parts_.exchanges[k].boundary)];
+    if (account.last_exchange == 0) account.first_exchange = k;
+    account.last_exchange = k + 1;
+  }
   if (!parts_.sources.empty()) {
-    accounts_.push_back({-1, {}, {}, false});
+    accounts_.push_back({.boundary = -1});
     for (const HeatedPart& part : parts_.sources) {
       sources_change_ = sources_change_ || CompiledProfile(part.value).depends_on_time();
     }
@@ -128,8 +133,8 @@ double HeatSystem::heat_rate(const Account& account, ConstField temperature) con
     sum += account.weights[k] * temperature[static_cast<std::size_t>(account.entries[k])];
   }
   const ConstField values = parts_.exchange_values.values();
-  for (const SurfaceExchange& exchange : parts_.exchanges) {
-    if (exchange.boundary != account.boundary) continue;
+  for (std::size_t k = account.first_exchange; k < account.last_exchange; ++k) {
+    const SurfaceExchange& exchange = parts_.exchanges[k];
     double difference = values[static_cast<std::size_t>(exchange.value)];
     if (exchange.convective) difference -= temperature[static_cast<std::size_t>(exchange.entry)];
     sum += exchange.gain * difference;

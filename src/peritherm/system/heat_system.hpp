@@ -38,8 +38,8 @@ struct HeatedPart {
 struct HeatSystemParts {
   std::unique_ptr<ConductionOperator> conduction;
   std::unique_ptr<GhostLayer> ghosts;
-  PrescribedValues wall_temperatures;  ///< as the ghost layer numbers them
-  std::vector<SurfaceExchange> exchanges;
+  PrescribedValues wall_temperatures;      ///< as the ghost layer numbers them
+  std::vector<SurfaceExchange> exchanges;  ///< those of a boundary behind one another
   PrescribedValues exchange_values;
   std::vector<HeatedPart> sources;
   std::vector<std::string> boundary_names;           ///< per boundary index
@@ -77,9 +77,10 @@ class HeatSystem final : public ThermalSystem {
   /// bring in.
   struct Account {
     int boundary = -1;  ///< −1: the sources
-    std::vector<std::int64_t> entries;
-    std::vector<double> weights;  ///< [W/K]
-    bool changes = false;         ///< some of its bonds are cut in time
+    std::vector<std::int64_t> entries{};
+    std::vector<double> weights{};                      ///< [W/K]
+    bool changes = false;                               ///< some of its bonds are cut in time
+    std::size_t first_exchange = 0, last_exchange = 0;  ///< its own, [first, last)
   };
   void measure(Account& account);
   double heat_rate(const Account& account, ConstField temperature) const;

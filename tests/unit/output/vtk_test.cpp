@@ -101,7 +101,9 @@ TEST_F(Vtk, the_series_names_every_file_with_its_time) {
   EXPECT_NE(series.find("timestep=\"0.25\" part=\"0\" file=\"fields/0001.vti\""), std::string::npos);
   EXPECT_NE(series.find("</VTKFile>"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "fields" / "0001.vti"));
-  EXPECT_EQ(observer->files(), std::vector<std::filesystem::path>{folder_ / "fields.pvd"});
+  EXPECT_EQ(observer->files(),
+            (std::vector<std::filesystem::path>{folder_ / "fields.pvd", folder_ / "fields" / "0000.vti",
+                                                folder_ / "fields" / "0001.vti"}));
 }
 
 }  // namespace
