@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/problem.hpp"
 #include "peritherm/simulation/write.hpp"
@@ -291,9 +292,28 @@ class BodyDraw {
   Problem problem_;
 };
 
-/// Problems that pass `check`.
+/// Boundaries and sources that turn out to act on nothing are refused when bonds are made.
+inline bool acts_somewhere(const Problem& problem) {
+  try {
+    assemble(problem);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Problems that can be run.
 inline rc::Gen<Problem> random_problem(const BodyRequest& request) {
-  return rc::gen::exec([request] { return BodyDraw(request)(); });
+  return rc::gen::exec([request] {
+    Problem problem = BodyDraw(request)();
+    if (acts_somewhere(problem)) return problem;
+    std::erase_if(problem.boundaries, [](const BoundaryOptions& boundary) {
+      return std::holds_alternative<PrescribedFlux>(boundary.condition) ||
+             std::holds_alternative<Convection>(boundary.condition);
+    });
+    if (!acts_somewhere(problem)) problem.sources.clear();
+    return problem;
+  });
 }
 
 /// Every kernel form with every exponent.

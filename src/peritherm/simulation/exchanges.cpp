@@ -156,7 +156,7 @@ class ExchangeBuilder {
     for (const StencilEntry& entry : geometry_.stencil.entries) {
       const GridIndex q = body_.fold({p[0] + entry.offset[0], p[1] + entry.offset[1], p[2] + entry.offset[2]});
       if (body_.material_of[body_.grid.number(q)] != no_material) continue;
-      for (int axis = 0; axis < 3; ++axis) sum[axis] += entry.conductance * entry.offset[axis];
+      for (int axis = 0; axis < 3; ++axis) sum[axis] += entry.offset[axis];
     }
     const double length = std::hypot(sum[0], sum[1], sum[2]);
     if (length == 0.0) return {1.0, 1.0, 1.0};

@@ -40,8 +40,8 @@ TEST(Check, bodies_that_cannot_be_cut_into_cubes_name_what_would_fit) {
 }
 
 TEST(Check, entries_of_the_body_agree_in_number) {
-  expect_fault({"cells = [20, 20]", "cells = [20]", "body.cells", 6, "has 1 entries, but size has 2"});
-  expect_fault({"[\"-1 cm\", \"-1 cm\"]", "[\"-1 cm\"]", "body.origin", 4, "has 1 entries, but size has 2"});
+  expect_fault({"cells = [20, 20]", "cells = [20]", "body.cells", 6, "has 1 entry, but size has 2"});
+  expect_fault({"[\"-1 cm\", \"-1 cm\"]", "[\"-1 cm\"]", "body.origin", 4, "has 1 entry, but size has 2"});
   expect_fault({"size = [\"2 cm\", \"2 cm\"]", "size = [1, 1, 1, 1]", "body.size", 5, "Give 1, 2 or 3 lengths"});
 }
 
@@ -156,7 +156,7 @@ TEST(Check, boundaries_do_not_overlap) {
 
 TEST(Check, probes_stand_in_the_body) {
   expect_fault({"[0, 0.001]", "[0, 1]", "output.0.at", 47, "the probe is outside the body"});
-  expect_fault({"[0, 0.001]", "[0]", "output.0.at", 47, "has 1 entries, but the body is 2-D"});
+  expect_fault({"[0, 0.001]", "[0]", "output.0.at", 47, "has 1 entry, but the body is 2-D"});
   std::string text = changed("material = \"fibre\"", "material = \"void\"");
   text.replace(text.find("[0, 0.001]"), 10, "[-0.003, 0]");
   const std::vector<Issue> issues = issues_of(text);
