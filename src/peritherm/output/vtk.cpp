@@ -68,11 +68,13 @@ void write_field(std::ostream& out, const Snapshot& snapshot, FieldName field) {
   const auto present = [materials](std::size_t i) { return materials.empty() || materials[i] != cut_away; };
   switch (field) {
     case FieldName::temperature:
-      write_array<double>(out, count, [&](std::size_t i) { return present(i) ? snapshot.temperature[i] : not_a_number; });
+      write_array<double>(out, count,
+                          [&](std::size_t i) { return present(i) ? snapshot.temperature[i] : not_a_number; });
       break;
     case FieldName::heat_flux: {
       const std::vector<Point> flux = snapshot.heat_flux();
-      write_array<double>(out, 3 * count, [&](std::size_t k) { return present(k / 3) ? flux[k / 3][k % 3] : not_a_number; });
+      write_array<double>(out, 3 * count,
+                          [&](std::size_t k) { return present(k / 3) ? flux[k / 3][k % 3] : not_a_number; });
       break;
     }
     case FieldName::damage: {
