@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -80,17 +81,23 @@ int run_case(const Arguments& arguments) {
   return stopped ? exit_signal_base + interrupt() : exit_done;
 }
 
+/// What is printed is all that these verbs do, so it must have arrived.
+int end_of_page() {
+  if (std::cout.flush()) return exit_done;
+  throw Error("cannot write to the standard output", "Check what it is connected to", Fault::machine);
+}
+
 int check_case(const Arguments& arguments) {
   const ReadCase read = read_case_file(arguments.case_file, all_overrides(arguments));
   if (!read.problem.title.empty()) std::cout << read.problem.title << '\n';
   std::cout << check_text(plan(read.problem)) << "\nThe case with every default filled in:\n\n"
             << write_problem(read.problem);
-  return exit_done;
+  return end_of_page();
 }
 
 int print_schema(const Arguments& arguments) {
   std::cout << (arguments.markdown ? describe_case_file_in_markdown() : describe_case_file());
-  return exit_done;
+  return end_of_page();
 }
 
 void add_case_options(CLI::App& verb, Arguments& arguments) {
@@ -137,6 +144,9 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace peritherm;
+  // A reader that goes away or a limit on file sizes must not end a run: writing then fails like on a full disk.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return app::dispatch(argc, argv);
   } catch (const Error& error) {

@@ -55,5 +55,15 @@ TEST(SelectedSurface, a_selection_without_a_surface_is_refused) {
   EXPECT_THROW(assemble(problem), Error);
 }
 
+TEST(SelectedSurface, a_layer_too_thin_to_hold_a_point_is_refused) {
+  Problem problem = unit_body(1, 20, 3.0);
+  HeldTemperature held = held_at(40.0, Imposed::inner);
+  held.thickness = 1e-9;
+  set_face(problem, Face::x_max, held);
+  EXPECT_THROW(assemble(problem), Error);
+  problem.body.points = PointPlacement::boundary;
+  EXPECT_NO_THROW(assemble(problem));
+}
+
 }  // namespace
 }  // namespace peritherm

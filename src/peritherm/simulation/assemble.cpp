@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "peritherm/base/error.hpp"
 #include "peritherm/simulation/check.hpp"
 
 namespace peritherm {
@@ -117,9 +118,12 @@ void hold_points(const Problem& problem, Geometry& geometry) {
     const BoundaryOptions& boundary = problem.boundaries[b];
     const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
     if (held == nullptr) continue;
+    std::size_t count = 0;
     const auto hold = [&](const GridIndex& p) {
       const std::size_t n = body.grid.number(p);
-      if (body.material_of[n] != no_material) geometry.held_by[n] = static_cast<std::int16_t>(b);
+      if (body.material_of[n] == no_material) return;
+      geometry.held_by[n] = static_cast<std::int16_t>(b);
+      ++count;
     };
     if (boundary.face) {
       const int layers = std::min(held_layers(*held, body.grid, geometry.stencil_options.horizon),
@@ -134,6 +138,10 @@ void hold_points(const Problem& problem, Geometry& geometry) {
         const GridIndex p = body.grid.index(n);
         if (contains(*boundary.where, body.grid.position(p), 1e-9 * body.grid.spacing)) hold(p);
       }
+    }
+    if (count == 0 && (!boundary.face || held->imposed == Imposed::inner)) {
+      throw Error("boundary." + std::to_string(b) + ": holds no point",
+                  "Choose a thicker layer, or a part of the body that is not cut away");
     }
   }
 }

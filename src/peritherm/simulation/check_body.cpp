@@ -243,18 +243,19 @@ void check_horizon(Checker& checker) {
         key, name + " reaches no neighbour",
         options.horizon ? "Choose at least the spacing, " + length_text(grid.spacing) : "Choose at least 1");
   }
+  const int fewest = *std::min_element(grid.cells.begin(), grid.cells.begin() + grid.dimension);
+  // Fictitious points mirror the body once, so they must not reach beyond its far side.
+  if (std::ceil(horizon / grid.spacing + 0.5 - 1e-9) > fewest) {
+    const std::string largest = options.horizon ? length_text((fewest - 0.5) * grid.spacing) : rounded(fewest - 0.5);
+    return checker.add(
+        key, name + " is too large for the body, whose shortest side has " + std::to_string(fewest) + " cells",
+        "Choose at most " + largest);
+  }
   try {
     make_stencil({options.kernel, horizon, options.partial_volumes, options.calibration}, grid.spacing, grid.dimension);
   } catch (const Error& error) {
-    return checker.add(key, error.issues().front().problem, error.issues().front().hint);
+    checker.add(key, error.issues().front().problem, error.issues().front().hint);
   }
-  const int fewest = *std::min_element(grid.cells.begin(), grid.cells.begin() + grid.dimension);
-  // Fictitious points mirror the body once, so they must not reach beyond its far side.
-  if (std::ceil(horizon / grid.spacing + 0.5 - 1e-9) <= fewest) return;
-  const double largest = fewest - 0.5;
-  checker.add(
-      key, name + " is too large for the body, whose shortest side has " + std::to_string(fewest) + " cells",
-      options.horizon ? "Choose at most " + length_text(largest * grid.spacing) : "Choose at most " + rounded(largest));
 }
 
 void check_regions(Checker& checker) {

@@ -111,6 +111,9 @@ void check_file_names(Checker& checker) {
   std::set<std::string> stems;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const std::string stem = std::visit([](const auto& kind) { return file_stem(kind); }, outputs[i].kind);
+    if (std::holds_alternative<PictureOutput>(outputs[i].kind) && stem.find_first_of("/\\") != std::string::npos) {
+      checker.add(entry("output", i) + ".name", "'" + stem + "' is no plain name of a file", "Leave out / and \\");
+    }
     if (std::holds_alternative<ProbeOutput>(outputs[i].kind) || stems.insert(stem).second) continue;
     const bool picture = std::holds_alternative<PictureOutput>(outputs[i].kind);
     checker.add(entry("output", i), "writes the same files as an earlier output, " + stem + "…",

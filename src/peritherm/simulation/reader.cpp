@@ -10,6 +10,12 @@
 namespace peritherm {
 namespace {
 
+/// toml++ gives no double for whole numbers that a double cannot hold exactly.
+double number_in(const toml::node& node) {
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  return node.as_floating_point()->get();
+}
+
 std::string kind_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table:
@@ -113,7 +119,7 @@ double Reader::quantity(const std::string& text, const std::string& path, const 
 void Reader::read_number(const toml::node& node, const std::string& path, const Rule& rule, double& target) {
   double value = 0.0;
   if (node.is_number()) {
-    value = *node.value<double>();
+    value = number_in(node);
   } else if (node.is_string()) {
     value = quantity(node.ref<std::string>(), path, rule);
     if (std::isnan(value)) return;
@@ -125,7 +131,7 @@ void Reader::read_number(const toml::node& node, const std::string& path, const 
 
 void Reader::read_whole_number(const toml::node& node, const std::string& path, const Rule& rule, int& target) {
   if (!node.is_number()) return refuse_kind(node, path, "a whole number");
-  const double value = *node.value<double>();
+  const double value = number_in(node);
   if (std::isfinite(value) && std::trunc(value) != value) {
     return add(path, "must be a whole number", "Got " + shortest(value));
   }

@@ -37,6 +37,7 @@ TEST(Check, bodies_that_cannot_be_cut_into_cubes_name_what_would_fit) {
        "= [0.021, 0.021] m"});
   expect_fault({"cells = [20, 20]", "spacing = \"1e-20 m\"", "body.spacing", 6, "more than 1e9 cells"});
   expect_fault({"cells = [20, 20]", "cells = [1000000, 1000000]", "body.cells", 6, "points, more than 2147483647"});
+  expect_fault({"cells = [20, 20]", "cells = [9223372036854775807, 20]", "body.cells.0", 6, "is too large"});
 }
 
 TEST(Check, entries_of_the_body_agree_in_number) {
@@ -64,7 +65,21 @@ TEST(Check, a_single_point_along_an_axis_is_refused) {
   EXPECT_EQ(issues[0].where.line, 4);
 }
 
+TEST(Check, pictures_stay_in_the_folder_of_the_results) {
+  expect_fault({"type = \"picture\"", "type = \"picture\"\nname = \"../evil\"", "output.1.name", 51,
+                "'../evil' is no plain name of a file"});
+}
+
+TEST(Check, mistakes_of_all_parts_are_named_beside_cells_that_are_no_cubes) {
+  const std::vector<Issue> issues =
+      issues_of(changed("cells = [20, 20]", "cells = [20, 21]"), {"crack=[{points=[[0, 0]]}]", "output.0.at=[1, 1]"});
+  std::vector<std::string> keys;
+  for (const Issue& issue : issues) keys.push_back(issue.where.key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"crack.0.points", "output.0.at", "body.cells"})) << Error(issues).what();
+}
+
 TEST(Check, the_horizon_reaches_neighbours_and_fits_the_body) {
+  expect_fault({"\"3.5 mm\"", "\"3.5 Gm\"", "nonlocality.horizon", 21, "is too large for the body"});
   expect_fault({"\"3.5 mm\"", "\"0.4 mm\"", "nonlocality.horizon", 21,
                 "horizon 400 um reaches no neighbour. Choose at least the spacing, 1 mm"});
   expect_fault({"horizon = \"3.5 mm\"", "horizon_ratio = 0.9", "nonlocality.horizon_ratio", 21, "Choose at least 1"});
