@@ -48,17 +48,11 @@ class PaddedGrid {
     return {static_cast<int>(x) - padding_[0], static_cast<int>(y) - padding_[1], static_cast<int>(z) - padding_[2]};
   }
 
-  /// Copies the points out of a padded field, x fastest, and back.
+  /// Copies the points out of a padded field, x fastest.
   void gather(ConstField padded, Field points) const {
     for_rows([&](std::size_t entry, std::size_t number, std::size_t length) {
       std::copy_n(padded.begin() + static_cast<std::ptrdiff_t>(entry), length,
                   points.begin() + static_cast<std::ptrdiff_t>(number));
-    });
-  }
-  void scatter(ConstField points, Field padded) const {
-    for_rows([&](std::size_t entry, std::size_t number, std::size_t length) {
-      std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(number), length,
-                  padded.begin() + static_cast<std::ptrdiff_t>(entry));
     });
   }
 
