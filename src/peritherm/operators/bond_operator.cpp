@@ -34,13 +34,19 @@ class BondOperator final : public ConductionOperator {
   std::size_t free_points() const override { return free_points_; }
   double gershgorin_bound() const override { return bound_; }
 
-  void combine(ConstField temperature, double rate_weight, Terms terms, Field result) const override {
+  void combine(ConstField temperature, double rate_weight, Terms terms, Field result,
+               Accumulations accumulations) const override {
     const double* const values = temperature.data();
     // Entries that are no points of the body still take part in the combination.
 #pragma omp parallel
     {
 #pragma omp for schedule(static)
-      for (std::size_t n = 0; n < size_; ++n) result[n] = combined(terms, n);
+      for (std::size_t n = 0; n < size_; ++n) {
+        for (const Accumulation& more : accumulations) {
+          more.target[n] += more.temperature_weight * values[n] + more.result_weight * result[n];
+        }
+        result[n] = combined(terms, n);
+      }
 #pragma omp for schedule(static)
       for (std::size_t row = 0; row < rows(); ++row) {
         if (inverse_capacities_[row] == 0.0) continue;
@@ -63,6 +69,15 @@ class BondOperator final : public ConductionOperator {
     }
     double sum = 0.0;
     for (const double part : sums) sum += part;
+    return sum;
+  }
+
+  double heat_product(ConstField a, ConstField b) const override {
+    double sum = 0.0;
+    for (std::size_t row = 0; row < rows(); ++row) {
+      const auto n = static_cast<std::size_t>(entries_[row]);
+      if (inverse_capacities_[row] > 0.0) sum += a[n] * b[n] / inverse_capacities_[row];
+    }
     return sum;
   }
 

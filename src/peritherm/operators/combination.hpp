@@ -13,4 +13,13 @@ struct Term {
 };
 using Terms = std::span<const Term>;
 
+/// target += temperature_weight · temperature + result_weight · result, with the result as it was before the sweep that
+/// combines it. Several evaluations' worth of sums thus share one pass over memory.
+struct Accumulation {
+  double* target;  ///< as long as the field that is combined; none of the other fields
+  double temperature_weight;
+  double result_weight;
+};
+using Accumulations = std::span<const Accumulation>;
+
 }  // namespace peritherm

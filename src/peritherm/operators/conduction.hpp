@@ -23,11 +23,16 @@ class ConductionOperator {
   virtual std::size_t size() const = 0;
 
   /// result = Σ weight · values + rate_weight · dT/dt. Held and fictitious entries of `temperature` must be filled.
-  /// `result` may be one of the terms, but not `temperature`.
-  virtual void combine(ConstField temperature, double rate_weight, Terms terms, Field result) const = 0;
+  /// `result` may be one of the terms, but not `temperature`. Accumulations are made in the same sweep.
+  virtual void combine(ConstField temperature, double rate_weight, Terms terms, Field result,
+                       Accumulations accumulations = {}) const = 0;
 
   /// Σ over free points of (Σ weight · values)², the same bits for any number of threads.
   virtual double sum_of_squares(Terms terms) const = 0;
+
+  /// Σ C a b over the free points, the product in which conduction is symmetric; the same bits for any number of
+  /// threads.
+  virtual double heat_product(ConstField a, ConstField b) const = 0;
 
   /// Σ C T over the free points [J], the same bits for any number of threads.
   virtual double stored_heat(ConstField temperature) const = 0;

@@ -166,6 +166,11 @@ void combine_row(const double* sums, double factor, const Term* terms, std::size
   }
 }
 
+void accumulate_row(double a_weight, const double* __restrict a, double b_weight, const double* __restrict b,
+                    int length, double* __restrict target) {
+  for (int x = 0; x < length; ++x) target[x] += a_weight * a[x] + b_weight * b[x];
+}
+
 void fold_row(const double* above, const double* below, int length, double* out) {
   for (int x = 0; x < length; ++x) out[x] = above[x] + below[x];
 }

@@ -4,7 +4,7 @@
 namespace peritherm {
 
 const Kernels* kernels_baseline() {
-  static constexpr Kernels kernels{"baseline", sum_block<2>, combine_row, fold_row};
+  static constexpr Kernels kernels{"baseline", sum_block<2>, combine_row, fold_row, accumulate_row};
   return &kernels;
 }
 

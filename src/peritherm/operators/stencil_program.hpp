@@ -55,6 +55,9 @@ inline constexpr int lanes_margin = 32;
 /// out[x] = factor · sums[x] + Σ weight · values[x] for a row of outputs; `out` may be one of the terms.
 using RowKernel = void (*)(const double* sums, double factor, const Term* terms, std::size_t term_count, int length,
                            double* out);
+/// target[x] += a_weight · a[x] + b_weight · b[x].
+using AccumulateKernel = void (*)(double a_weight, const double* a, double b_weight, const double* b, int length,
+                                  double* target);
 /// out[x] = above[x] + below[x].
 using FoldKernel = void (*)(const double* above, const double* below, int length, double* out);
 
@@ -64,6 +67,7 @@ struct Kernels {
   BlockKernel sum_block;
   RowKernel combine_row;
   FoldKernel fold_row;
+  AccumulateKernel accumulate_row;
 };
 /// Kernels that this processor can run, best first; the last is the baseline.
 const std::vector<Kernels>& available_kernels();

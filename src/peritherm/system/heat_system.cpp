@@ -116,26 +116,28 @@ void HeatSystem::update_sources(double time) {
   load_fresh_ = true;
 }
 
-void HeatSystem::add_exchanges(double rate_weight, ConstField temperature, Field result) const {
-  const ConstField values = parts_.exchange_values.values();
+HeatSystem::Load HeatSystem::current_load() const {
+  return {parts_.wall_temperatures.values(), parts_.exchange_values.values(), load_, source_heat_rate_};
+}
+
+void HeatSystem::add_exchanges(const Load& load, double rate_weight, ConstField temperature, Field result) const {
   for (const SurfaceExchange& exchange : parts_.exchanges) {
     const auto entry = static_cast<std::size_t>(exchange.entry);
-    double difference = values[static_cast<std::size_t>(exchange.value)];
+    double difference = load.exchanges[static_cast<std::size_t>(exchange.value)];
     if (exchange.convective) difference -= temperature[entry];
     result[entry] += rate_weight * exchange.inverse_capacity * exchange.gain * difference;
   }
 }
 
-double HeatSystem::heat_rate(const Account& account, ConstField temperature) const {
-  if (account.boundary < 0) return source_heat_rate_;
+double HeatSystem::heat_rate(const Account& account, const Load& load, ConstField temperature) const {
+  if (account.boundary < 0) return load.source_heat_rate;
   double sum = 0.0;
   for (std::size_t k = 0; k < account.entries.size(); ++k) {
     sum += account.weights[k] * temperature[static_cast<std::size_t>(account.entries[k])];
   }
-  const ConstField values = parts_.exchange_values.values();
   for (std::size_t k = account.first_exchange; k < account.last_exchange; ++k) {
     const SurfaceExchange& exchange = parts_.exchanges[k];
-    double difference = values[static_cast<std::size_t>(exchange.value)];
+    double difference = load.exchanges[static_cast<std::size_t>(exchange.value)];
     if (exchange.convective) difference -= temperature[static_cast<std::size_t>(exchange.entry)];
     sum += exchange.gain * difference;
   }
@@ -143,21 +145,37 @@ double HeatSystem::heat_rate(const Account& account, ConstField temperature) con
 }
 
 void HeatSystem::combine(double time, Field temperature, double rate_weight, Terms terms, Field result) {
-  fill(time, temperature);
+  parts_.wall_temperatures.update(time);
+  parts_.exchange_values.update(time);
   update_sources(time);
+  combine(current_load(), temperature, rate_weight, terms, result, {});
+}
+
+void HeatSystem::combine(const Load& load, Field temperature, double rate_weight, Terms terms, Field result,
+                         Accumulations accumulations) {
+  const Field field = temperature.first(field_size_);
+  parts_.ghosts->fill(load.walls, field);
+  for (std::size_t n = field_size_; n < result.size(); ++n) {
+    for (const Accumulation& more : accumulations) {
+      more.target[n] += more.temperature_weight * temperature[n] + more.result_weight * result[n];
+    }
+  }
   std::array<Term, 8> all;
   assert(terms.size() < all.size());
   std::copy(terms.begin(), terms.end(), all.begin());
   std::size_t count = terms.size();
-  if (!load_.empty()) all[count++] = {rate_weight, load_.data()};
-  const ConstField field = temperature.first(field_size_);
-  parts_.conduction->combine(field, rate_weight, Terms(all.data(), count), result.first(field_size_));
-  add_exchanges(rate_weight, field, result);
+  if (!load.sources.empty()) all[count++] = {rate_weight, load.sources.data()};
+  parts_.conduction->combine(field, rate_weight, Terms(all.data(), count), result.first(field_size_), accumulations);
+  add_exchanges(load, rate_weight, field, result);
   for (std::size_t a = 0; a < accounts_.size(); ++a) {
-    double value = rate_weight * heat_rate(accounts_[a], field);
+    double value = rate_weight * heat_rate(accounts_[a], load, field);
     for (const Term& term : terms) value += term.weight * term.values[field_size_ + a];
     result[field_size_ + a] = value;
   }
+}
+
+double HeatSystem::heat_product(ConstField a, ConstField b) const {
+  return parts_.conduction->heat_product(a.first(field_size_), b.first(field_size_));
 }
 
 double HeatSystem::rms(Terms terms) const {
@@ -206,7 +224,8 @@ std::vector<double> HeatSystem::account_rates(double time, Field state) {
   fill(time, state);
   update_sources(time);
   std::vector<double> rates;
-  for (const Account& account : accounts_) rates.push_back(heat_rate(account, state.first(field_size_)));
+  for (const Account& account : accounts_)
+    rates.push_back(heat_rate(account, current_load(), state.first(field_size_)));
   return rates;
 }
 

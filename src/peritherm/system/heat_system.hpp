@@ -55,6 +55,11 @@ class HeatSystem final : public ThermalSystem {
   std::size_t size() const override { return field_size_ + accounts_.size(); }
   bool begin_step(double from, double to) override;
   void combine(double time, Field temperature, double rate_weight, Terms terms, Field result) override;
+  std::optional<LoadPiece> fit_loads(double from, double to, int degree, double tolerance) override;
+  void combine_linear(int k, Field temperature, double rate_weight, Terms terms, Field result,
+                      Accumulations accumulations) override;
+  double heat_product(ConstField a, ConstField b) const override;
+  std::size_t field_size() const override { return field_size_; }
   double rms(Terms terms) const override;
   Extremes extremes(ConstField temperature) const override;
   double fastest_rate() const override;
@@ -82,10 +87,19 @@ class HeatSystem final : public ThermalSystem {
     bool changes = false;                               ///< some of its bonds are cut in time
     std::size_t first_exchange = 0, last_exchange = 0;  ///< its own, [first, last)
   };
+  /// What is prescribed at an instant, or one of its derivatives in time.
+  struct Load {
+    ConstField walls, exchanges;
+    ConstField sources;             ///< rates [K/s]; may be empty
+    double source_heat_rate = 0.0;  ///< [W]
+  };
+  Load current_load() const;
+  void combine(const Load& load, Field temperature, double rate_weight, Terms terms, Field result,
+               Accumulations accumulations);
   void measure(Account& account);
-  double heat_rate(const Account& account, ConstField temperature) const;
+  double heat_rate(const Account& account, const Load& load, ConstField temperature) const;
   void update_sources(double time);
-  void add_exchanges(double rate_weight, ConstField temperature, Field result) const;
+  void add_exchanges(const Load& load, double rate_weight, ConstField temperature, Field result) const;
 
   HeatSystemParts parts_;
   std::size_t field_size_;

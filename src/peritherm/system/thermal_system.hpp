@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "peritherm/operators/conduction.hpp"
 
 namespace peritherm {
@@ -19,6 +21,26 @@ class ThermalSystem {
   /// result = Σ weight · values + rate_weight · rate(time, temperature). Writes the held and fictitious entries of
   /// `temperature`. `result` may be one of the terms, but not `temperature`.
   virtual void combine(double time, Field temperature, double rate_weight, Terms terms, Field result) = 0;
+
+  /// What boundaries and sources prescribe, as a polynomial in time over [begin, end].
+  struct LoadPiece {
+    double begin, end;
+    int degree;
+  };
+  /// Fits the loads over [from, end] with the latest end <= to at which a polynomial of at most the given degree keeps
+  /// the relative tolerance. None if conductances change in [from, to], so that the rate is no such function of time.
+  virtual std::optional<LoadPiece> fit_loads(double from, double to, int degree, double tolerance) = 0;
+
+  /// As combine, with the part of the rate that is linear in the temperature, plus the k-th derivative in time of the
+  /// fitted loads at the begin of their piece; k < 0: without loads.
+  virtual void combine_linear(int k, Field temperature, double rate_weight, Terms terms, Field result,
+                              Accumulations accumulations = {}) = 0;
+
+  /// Σ C a b over the free points, the product in which the linear part is symmetric (without the heat accounts).
+  virtual double heat_product(ConstField a, ConstField b) const = 0;
+
+  /// Entries of a state that are temperatures; heat accounts stand behind them.
+  virtual std::size_t field_size() const = 0;
 
   /// Root mean square over the free points of Σ weight · values; the same bits for any number of threads.
   virtual double rms(Terms terms) const = 0;

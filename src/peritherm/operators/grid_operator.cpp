@@ -8,69 +8,19 @@
 #include "peritherm/operators/conduction.hpp"
 #include "peritherm/operators/row_runs.hpp"
 #include "peritherm/operators/stencil_program.hpp"
+#include "peritherm/operators/stencil_sum.hpp"
 
 namespace peritherm {
 namespace {
 
-constexpr int block_rows = StencilProgram::block_rows;
-constexpr int band_rows = 4 * block_rows;  // rows that are worked on together, so that their sources stay in cache
-constexpr int tile_columns = 96;
-
-/// One thread's room for sums and folded planes; it is kept between evaluations.
-class Workspace {
+class GridOperator final : public ConductionOperator {
  public:
-  void fit(const StencilProgram& program) {
-    plane_stride_ = tile_columns + lanes_margin + 2 * program.radius;
-    plane_rows_ = band_rows + block_rows + 2 * program.radius;
-    sums_.resize(static_cast<std::size_t>(block_rows * stride()));
-    planes_.resize(static_cast<std::size_t>(program.planes));
-    if (program.planes > 1) {
-      folded_.resize(static_cast<std::size_t>(program.planes * plane_stride_ * plane_rows_) + lanes_margin);
-    }
-  }
-
-  static constexpr int stride() { return tile_columns + lanes_margin; }
-  double* sums() { return sums_.data(); }
-  std::vector<FoldedPlane>& planes() { return planes_; }
-
-  /// Folds the planes around the tile whose first output stands at `source`.
-  void fold(const StencilProgram& program, const PaddedGrid& layout, const double* source, int rows, int columns,
-            FoldKernel fold_row) {
-    const auto row_stride = static_cast<std::ptrdiff_t>(layout.stride(1));
-    const auto plane_stride = static_cast<std::ptrdiff_t>(layout.stride(2));
-    const int width = columns + lanes_margin + 2 * program.radius;
-    for (int d = 0; d < program.planes; ++d) {
-      const int reach = program.plane_radius[d];
-      double* const origin = folded_.data() + static_cast<std::ptrdiff_t>(d) * plane_stride_ * plane_rows_ +
-                             static_cast<std::ptrdiff_t>(program.radius) * plane_stride_ + program.radius;
-      planes_[d] = {origin, plane_stride_};
-      for (int row = -reach; row < rows + reach; ++row) {
-        const double* const from = source + row * row_stride - program.radius;
-        double* const to = origin + row * plane_stride_ - program.radius;
-        if (d == 0) {
-          std::copy_n(from, width, to);
-        } else {
-          fold_row(from + d * plane_stride, from - d * plane_stride, width, to);
-        }
-      }
-    }
-  }
-
- private:
-  std::vector<double> sums_;
-  std::ptrdiff_t plane_stride_ = 0, plane_rows_ = 0;
-  std::vector<double> folded_;
-  std::vector<FoldedPlane> planes_;
-};
-
-class StencilOperator final : public ConductionOperator {
- public:
-  StencilOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil,
-                  const std::vector<std::int16_t>& held_by, const Kernels& kernels)
+  GridOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil,
+               const std::vector<std::int16_t>& held_by, std::size_t kernel)
       : layout_(layout),
         stencil_(stencil),
-        program_(make_stencil_program(stencil, body.grid.dimension)),
-        kernels_(kernels),
+        uniform_(make_direct_sum(layout, stencil, kernel)),
+        kernels_(available_kernels().at(kernel)),
         runs_(make_row_runs(body, held_by)),
         corrections_(make_corrections(body, layout, stencil)) {
     for (const StencilEntry& entry : stencil.entries) stencil_sum_ += entry.conductance;
@@ -88,26 +38,13 @@ class StencilOperator final : public ConductionOperator {
   std::size_t size() const override { return layout_.size(); }
   std::size_t free_points() const override { return runs_.free_points; }
 
-  void combine(ConstField temperature, double rate_weight, Terms terms, Field result) const override {
-    const Grid& grid = layout_.grid();
-    const int bands = (grid.count(1) + band_rows - 1) / band_rows;
-    const int strips = grid.dimension == 1 ? strips_of_a_bar() : 1;
-    const std::int64_t count = static_cast<std::int64_t>(grid.count(2)) * bands * strips;
-#pragma omp parallel
-    {
-      thread_local Workspace workspace;
-      workspace.fit(program_);
-#pragma omp for schedule(static)
-      for (std::int64_t task = 0; task < count; ++task) {
-        const int strip = static_cast<int>(task % strips);
-        const int band = static_cast<int>(task / strips % bands);
-        const int z = static_cast<int>(task / (strips * bands));
-        const Columns columns = columns_of(strip, strips);
-        combine_band(temperature, rate_weight, terms, result, z, band * band_rows, columns, workspace);
-      }
-#pragma omp for schedule(static)
-      for (std::size_t r = 0; r < corrections_.rows.size(); ++r) correct_row(r, temperature, rate_weight, result);
-    }
+  void combine(ConstField temperature, double rate_weight, Terms terms, Field result,
+               Accumulations accumulations) const override {
+    uniform_->sum(temperature, [&](const double* sums, const GridIndex& first, int width) {
+      combine_row(sums, temperature, rate_weight, terms, result, accumulations, first, width);
+    });
+#pragma omp parallel for schedule(static)
+    for (std::size_t r = 0; r < corrections_.rows.size(); ++r) correct_row(r, temperature, rate_weight, result);
   }
 
   double sum_of_squares(Terms terms) const override {
@@ -120,6 +57,18 @@ class StencilOperator final : public ConductionOperator {
         sum += value * value;
       }
       return sum;
+    });
+  }
+
+  double heat_product(ConstField a, ConstField b) const override {
+    return sum_over_rows([&](const RowRun& run, const GridIndex& row, std::size_t entry) {
+      if (run.rate_scale == 0.0) return 0.0;
+      double sum = 0.0;
+      for (std::int32_t x = run.begin; x < run.end; ++x) {
+        const std::size_t n = entry + static_cast<std::size_t>(x);
+        sum += layout_.grid().volume_share({x, row[1], row[2]}) * (a[n] * b[n]);
+      }
+      return run.capacity * sum;
     });
   }
 
@@ -206,15 +155,12 @@ class StencilOperator final : public ConductionOperator {
   }
 
   std::size_t bytes() const override {
-    return runs_.runs.capacity() * sizeof(RowRun) + runs_.row_begin.capacity() * sizeof(std::int64_t) +
-           corrections_.bytes() + correction_scales_.capacity() * sizeof(double) + material_of_.capacity();
+    return uniform_->bytes() + runs_.runs.capacity() * sizeof(RowRun) +
+           runs_.row_begin.capacity() * sizeof(std::int64_t) + corrections_.bytes() +
+           correction_scales_.capacity() * sizeof(double) + material_of_.capacity();
   }
 
  private:
-  struct Columns {
-    int begin, end;
-  };
-
   MaterialIndex material_of(std::size_t point) const { return material_of_.empty() ? 0 : material_of_[point]; }
   std::int64_t row_count() const { return static_cast<std::int64_t>(runs_.row_begin.size()) - 1; }
   GridIndex row_index(std::int64_t row) const {
@@ -235,40 +181,8 @@ class StencilOperator final : public ConductionOperator {
     return std::accumulate(sums.begin(), sums.end(), 0.0);
   }
 
-  /// A bar has one row only; it is cut so that several threads find work.
-  int strips_of_a_bar() const { return std::max(1, layout_.grid().count(0) / 4096); }
-  Columns columns_of(int strip, int strips) const {
-    const int length = layout_.grid().count(0);
-    const int width = (length + strips - 1) / strips;
-    return {strip * width, std::min(length, (strip + 1) * width)};
-  }
-
-  /// Rows y … y + band_rows of plane z; tile by tile, so that the sources of a tile stay in the nearest cache.
-  void combine_band(ConstField temperature, double rate_weight, Terms terms, Field result, int z, int y,
-                    Columns columns, Workspace& workspace) const {
-    const int rows = std::min(band_rows, layout_.grid().count(1) - y);
-    for (int x = columns.begin; x < columns.end; x += tile_columns) {
-      const int width = std::min(tile_columns, columns.end - x);
-      const double* const source = temperature.data() + layout_.entry({x, y, z});
-      if (program_.planes > 1) {
-        const int block_end = (rows + block_rows - 1) / block_rows * block_rows;
-        workspace.fold(program_, layout_, source, block_end, width, kernels_.fold_row);
-      } else {
-        workspace.planes()[0] = {source, static_cast<std::ptrdiff_t>(layout_.stride(1))};
-      }
-      for (int row = 0; row < rows; row += block_rows) {
-        kernels_.sum_block(program_, workspace.planes().data(), width, workspace.sums(), Workspace::stride());
-        for (int r = row; r < std::min(rows, row + block_rows); ++r) {
-          combine_row(workspace.sums() + (r - row) * Workspace::stride(), rate_weight, terms, result, {x, y + r, z},
-                      width);
-        }
-        for (FoldedPlane& plane : workspace.planes()) plane.origin += block_rows * plane.stride;
-      }
-    }
-  }
-
-  void combine_row(const double* sums, double rate_weight, Terms terms, Field result, const GridIndex& first,
-                   int width) const {
+  void combine_row(const double* sums, ConstField temperature, double rate_weight, Terms terms, Field result,
+                   Accumulations accumulations, const GridIndex& first, int width) const {
     const auto row = static_cast<std::size_t>(first[1]) +
                      static_cast<std::size_t>(layout_.grid().count(1)) * static_cast<std::size_t>(first[2]);
     const std::size_t entry = layout_.entry(first);
@@ -279,11 +193,16 @@ class StencilOperator final : public ConductionOperator {
       const int begin = std::max(run.begin - first[0], 0);
       const int end = std::min(run.end - first[0], width);
       if (begin >= end) continue;
+      const std::size_t at = entry + static_cast<std::size_t>(begin);
+      for (const Accumulation& more : accumulations) {
+        kernels_.accumulate_row(more.temperature_weight, temperature.data() + at, more.result_weight,
+                                result.data() + at, end - begin, more.target + at);
+      }
       for (std::size_t n = 0; n < terms.size(); ++n) {
-        shifted[n] = {terms[n].weight, terms[n].values + entry + begin};
+        shifted[n] = {terms[n].weight, terms[n].values + at};
       }
       kernels_.combine_row(sums + begin, rate_weight * run.rate_scale, shifted.data(), terms.size(), end - begin,
-                           result.data() + entry + begin);
+                           result.data() + at);
     }
   }
 
@@ -299,7 +218,7 @@ class StencilOperator final : public ConductionOperator {
 
   PaddedGrid layout_;
   Stencil stencil_;
-  StencilProgram program_;
+  std::unique_ptr<StencilSum> uniform_;
   Kernels kernels_;
   RowRuns runs_;
   BondCorrections corrections_;
@@ -315,7 +234,7 @@ std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, cons
                                                           const Stencil& stencil,
                                                           const std::vector<std::int16_t>& held_by,
                                                           std::size_t kernel) {
-  return std::make_unique<StencilOperator>(body, layout, stencil, held_by, available_kernels().at(kernel));
+  return std::make_unique<GridOperator>(body, layout, stencil, held_by, kernel);
 }
 
 }  // namespace peritherm
