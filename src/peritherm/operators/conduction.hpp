@@ -7,6 +7,7 @@
 #include "peritherm/base/describe.hpp"
 #include "peritherm/base/field.hpp"
 #include "peritherm/discretisation/bonds.hpp"
+#include "peritherm/discretisation/damage.hpp"
 #include "peritherm/operators/combination.hpp"
 
 namespace peritherm {
@@ -56,6 +57,9 @@ class ConductionOperator {
 
   /// Entries of points whose bonds change in time, ascending.
   virtual std::vector<std::size_t> changing_points() const = 0;
+
+  /// The bonds that cracks cut, where they were counted on the way; none otherwise.
+  virtual const CutBonds* cut_bonds() const { return nullptr; }
 
   /// Gershgorin's bound of the fastest decay rate, max 2 Σ_j G_ij / C_i [1/s].
   virtual double gershgorin_bound() const = 0;

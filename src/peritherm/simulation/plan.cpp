@@ -144,9 +144,9 @@ Plan make_plan(const Problem& problem, const Assembly& assembly, int threads) {
   plan.points = static_cast<std::size_t>(std::count_if(body.material_of.begin(), body.material_of.end(),
                                                        [](MaterialIndex m) { return m != no_material; }));
   plan.bonds = count_bonds(body, geometry.stencil);
-  for (const CutBond& cut : find_cut_bonds(body, geometry.stencil)) {
-    plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
-  }
+  const CutBonds* const known = assembly.system->conduction().cut_bonds();
+  plan.cut_bonds = known != nullptr ? known->count_before(problem.time.end)
+                                    : find_cut_bonds(body, geometry.stencil).count_before(problem.time.end);
   plan.backend = name_of(assembly.backend);
   plan.integrator = std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
   plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem));

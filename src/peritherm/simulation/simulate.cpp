@@ -128,7 +128,8 @@ class Gallery {
     return lines;
   }
 
-  const std::vector<CutBond>& cuts() {
+  const CutBonds& cuts() {
+    if (const CutBonds* const known = assembly_.system->conduction().cut_bonds()) return *known;
     if (!cuts_) cuts_ = find_cut_bonds(assembly_.geometry.body, assembly_.geometry.stencil);
     return *cuts_;
   }
@@ -136,7 +137,7 @@ class Gallery {
   const Problem& problem_;
   const Assembly& assembly_;
   std::vector<Watch> watches_;
-  std::optional<std::vector<CutBond>> cuts_;
+  std::optional<CutBonds> cuts_;
 };
 
 [[noreturn]] void report_not_finite(const Assembly& assembly, ConstField state, double time) {
