@@ -8,6 +8,7 @@
 
 #include "peritherm/discretisation/cut_schedule.hpp"
 #include "peritherm/discretisation/damage.hpp"
+#include "peritherm/discretisation/held_points.hpp"
 #include "peritherm/discretisation/padded_grid.hpp"
 #include "peritherm/discretisation/row_intervals.hpp"
 #include "peritherm/discretisation/stencil.hpp"
@@ -69,6 +70,7 @@ class BondCorrections {
   /// Calls visit(entry, Σ of the differences that raise a conductance) for all corrected points that are not held.
   void for_raised(const std::function<void(std::size_t, double)>& visit) const;
 
+  bool empty() const { return parts_.segments.empty() && parts_.rows.empty(); }
   const CutBonds& cut_bonds() const { return parts_.cut_bonds; }
   std::size_t bytes() const;
 
@@ -87,9 +89,9 @@ class BondCorrections {
   std::vector<std::uint32_t> by_entry_;  ///< numbers of the segments, ascending by entry
 };
 
-/// `held_by` per point: −1 for free ones; may be empty.
+///
 BondCorrections make_corrections(const Body& body, const PaddedGrid& layout, const Stencil& stencil,
-                                 const std::vector<std::int16_t>& held_by, std::string_view kernel);
+                                 const HeldPoints& held_by, std::string_view kernel);
 
 /// Points with at least one bond that may differ from the stencil's; merged.
 std::vector<RowInterval> find_special_points(const Body& body, const Stencil& stencil);

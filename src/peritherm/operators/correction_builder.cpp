@@ -106,7 +106,7 @@ class CrossingFilter {
 
 class BlockBuilder {
  public:
-  BlockBuilder(const CorrectionPlan& plan, const std::vector<std::int16_t>& held_by)
+  BlockBuilder(const CorrectionPlan& plan, const HeldPoints& held_by)
       : plan_(plan), held_by_(held_by), filter_(plan.stencil, plan.body.grid.spacing) {}
 
   void add(const RowInterval& interval) {
@@ -145,7 +145,7 @@ class BlockBuilder {
       if (body.regions.empty() && !filter_.may_cross(k) && body.grid.contains(q) && !plan_.halves) continue;
       add_bond(p, material, q, own * conductance, conductance);
     }
-    const bool free = held_by_.empty() || held_by_[point] < 0;
+    const bool free = held_by_[point] < 0;
     const auto scale = static_cast<std::uint16_t>(free ? material : body.materials.size());
     const auto entry = static_cast<std::int64_t>(plan_.layout.entry(p));
     if (!row_.empty()) add_segment(entry, scale);
@@ -228,7 +228,7 @@ class BlockBuilder {
   }
 
   const CorrectionPlan& plan_;
-  const std::vector<std::int16_t>& held_by_;
+  const HeldPoints& held_by_;
   BlockCorrections block_;
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_;
   NearbyCracks nearby_;
@@ -274,7 +274,7 @@ void finish(BondCorrections::Parts& parts) {
 }  // namespace
 
 BondCorrections make_corrections(const Body& body, const PaddedGrid& layout, const Stencil& stencil,
-                                 const std::vector<std::int16_t>& held_by, std::string_view kernel) {
+                                 const HeldPoints& held_by, std::string_view kernel) {
   BondCorrections::Parts parts;
   for (const Material& material : body.materials) {
     parts.scales.push_back(1.0 / (volumetric_heat_capacity(material) * body.grid.cell_volume()));

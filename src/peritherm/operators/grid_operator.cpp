@@ -16,7 +16,7 @@ namespace {
 class GridOperator final : public ConductionOperator {
  public:
   GridOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil,
-               const std::vector<std::int16_t>& held_by, std::size_t kernel)
+               const HeldPoints& held_by, std::size_t kernel)
       : layout_(layout),
         stencil_(stencil),
         uniform_(make_direct_sum(layout, stencil, kernel)),
@@ -78,6 +78,15 @@ class GridOperator final : public ConductionOperator {
     });
   }
 
+  double heat_capacity() const override {
+    return sum_over_rows([&](const RowRun& run, const GridIndex& row, std::size_t) {
+      if (run.rate_scale == 0.0) return 0.0;
+      double sum = 0.0;
+      for (std::int32_t x = run.begin; x < run.end; ++x) sum += layout_.grid().volume_share({x, row[1], row[2]});
+      return run.capacity * sum;
+    });
+  }
+
   Extremes extremes(ConstField temperature) const override {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double lowest = infinity, highest = -infinity;
@@ -113,6 +122,41 @@ class GridOperator final : public ConductionOperator {
     });
   }
 
+  std::size_t reach() const override {
+    std::ptrdiff_t largest = 0;
+    for (const StencilEntry& bond : stencil_.entries) largest = std::max(largest, layout_.distance(bond.offset));
+    return static_cast<std::size_t>(largest);
+  }
+
+  /// Offset by offset along the stretch.
+  void add_exchange_weights(const Stretch& stretch, std::span<const std::int16_t> holder, int boundary,
+                            std::int64_t origin, Field weights) const override {
+    const auto length = static_cast<std::size_t>(stretch.length);
+    std::vector<double> scales(length), sums(length, 0.0);
+    GridIndex p = layout_.index(static_cast<std::size_t>(stretch.entry));
+    const std::int16_t* const holders = holder.data() + stretch.entry;
+    for (std::size_t x = 0; x < length; ++x, ++p[0]) {
+      const MaterialIndex material = material_of(layout_.grid().number(p));
+      if (holders[x] >= 0 || material == no_material) continue;
+      scales[x] = conductivities_[material] * layout_.grid().volume_share(p);
+    }
+    const auto held = static_cast<std::int16_t>(boundary);
+    for (const StencilEntry& bond : stencil_.entries) {
+      const std::ptrdiff_t distance = layout_.distance(bond.offset);
+      const std::int16_t* const others = holders + distance;
+      if (std::find(others, others + length, held) == others + length) continue;
+      double* const there = weights.data() + (stretch.entry - origin + distance);
+      for (std::size_t x = 0; x < length; ++x) {
+        const double conductance = others[x] == held ? scales[x] * bond.conductance : 0.0;
+        sums[x] += conductance;
+        there[x] += conductance;
+      }
+    }
+    double* const own = weights.data() + (stretch.entry - origin);
+    for (std::size_t x = 0; x < length; ++x) own[x] -= sums[x];
+    if (!corrections_.empty()) add_correction_weights(stretch, scales, holder, held, origin, weights);
+  }
+
   bool average_over(double from, double to) override {
     return corrections_.average_over(from, to);
   }
@@ -137,6 +181,21 @@ class GridOperator final : public ConductionOperator {
   }
 
  private:
+  void add_correction_weights(const Stretch& stretch, const std::vector<double>& scales,
+                              std::span<const std::int16_t> holder, std::int16_t held, std::int64_t origin,
+                              Field weights) const {
+    for (std::int32_t x = 0; x < stretch.length; ++x) {
+      if (scales[static_cast<std::size_t>(x)] == 0.0) continue;
+      const std::int64_t entry = stretch.entry + x;
+      const double volume_share = layout_.grid().volume_share(layout_.index(static_cast<std::size_t>(entry)));
+      corrections_.visit(static_cast<std::size_t>(entry), [&](std::int64_t distance, double difference) {
+        if (holder[static_cast<std::size_t>(entry + distance)] != held) return;
+        weights[static_cast<std::size_t>(entry + distance - origin)] += volume_share * difference;
+        weights[static_cast<std::size_t>(entry - origin)] -= volume_share * difference;
+      });
+    }
+  }
+
   MaterialIndex material_of(std::size_t point) const { return material_of_.empty() ? 0 : material_of_[point]; }
   std::int64_t row_count() const { return static_cast<std::int64_t>(runs_.row_begin.size()) - 1; }
   GridIndex row_index(std::int64_t row) const {
@@ -198,7 +257,7 @@ class GridOperator final : public ConductionOperator {
 
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
                                                           const Stencil& stencil,
-                                                          const std::vector<std::int16_t>& held_by,
+                                                          const HeldPoints& held_by,
                                                           std::size_t kernel) {
   return std::make_unique<GridOperator>(body, layout, stencil, held_by, kernel);
 }

@@ -30,8 +30,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 class EnergyBalance {
  public:
   EnergyBalance(const HeatSystem& system, ConstField state) : system_(system), first_(system.stored_heat(state)) {
-    std::vector<double> ones(state.size(), 1.0);
-    capacity_ = system.stored_heat(ones);
+    capacity_ = system.heat_capacity();
     widen(state);
   }
 
@@ -71,7 +70,7 @@ class Gallery {
 
   std::vector<double> times() const { return all_times(watches_, problem_.time.end); }
 
-  void show(double time, std::vector<double>& state, bool everybody) {
+  void show(double time, FieldStorage& state, bool everybody) {
     std::vector<Observer*> due;
     for (const Watch& watch : watches_) {
       if (everybody || watch.is_due(time)) due.push_back(watch.observer.get());
@@ -111,7 +110,7 @@ class Gallery {
   }
 
  private:
-  std::vector<HeatAccount> accounts(double time, std::vector<double>& state) {
+  std::vector<HeatAccount> accounts(double time, FieldStorage& state) {
     const std::vector<double> rates = assembly_.system->account_rates(time, state);
     const std::vector<double> heats = assembly_.system->account_heats(state);
     const std::vector<std::string> names = assembly_.system->account_names();
@@ -266,7 +265,7 @@ class March {
   Assembly& assembly_;
   RunSummary& summary_;
   Gallery gallery_;
-  std::vector<double> state_;
+  FieldStorage state_;
   EnergyBalance balance_;
   std::unique_ptr<TimeIntegrator> integrator_;
   long looked_at_ = -evaluations_between_looks;
