@@ -111,7 +111,8 @@ double BondTracer::conductivity_along(const std::vector<Piece>& pieces, Material
   return bond_conductivity(body_.interface, body_.materials[a].conductivity, body_.materials[b].conductivity);
 }
 
-void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b, BondPath& path) const {
+void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
+                       BondPath& path) const {
   path.crossings.clear();
   path.conductivity = 0.0;
   if (material_a == no_material || material_b == no_material) return;

@@ -88,8 +88,8 @@ void CutBonds::append(const CutBonds& others) {
 std::size_t CutBonds::cut_at(std::size_t k, double time) const {
   if (!(time >= 0.0)) return 0;
   const auto begin = later_.begin() + (k == 0 ? 0 : end_[k - 1]);
-  return standing_[k] + static_cast<std::size_t>(std::count_if(begin, later_.begin() + end_[k],
-                                                               [time](double cut) { return cut <= time; }));
+  return standing_[k] + static_cast<std::size_t>(
+                            std::count_if(begin, later_.begin() + end_[k], [time](double cut) { return cut <= time; }));
 }
 
 std::size_t CutBonds::count_before(double time) const {

@@ -62,17 +62,7 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     across_ = cross(normal_, along_);
     for (const Point& point : points_) plane_corners_.push_back(in_plane(point));
   }
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    arc_.push_back(k == 0 ? 0.0 : arc_.back() + length(difference(points_[k], points_[k - 1])));
-  }
-  for (std::size_t k = 0; dimension == 2 && k + 1 < points_.size(); ++k) {
-    const double segment_length = arc_[k + 1] - arc_[k];
-    directions_.push_back(
-        {(points_[k + 1][0] - points_[k][0]) / segment_length, (points_[k + 1][1] - points_[k][1]) / segment_length});
-  }
-  parts_.resize(std::max<std::size_t>(1, directions_.size()));
-  std::iota(parts_.begin(), parts_.end(), 0);
-  closed_ = dimension == 2 && points_.front() == points_.back();
+  measure_segments();
   lower_ = upper_ = points_[0];
   for (int axis = 0; axis < 3; ++axis) {
     for (const Point& point : points_) {
@@ -83,6 +73,21 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     lower_[axis] -= half_width;
     upper_[axis] += half_width;
   }
+}
+
+/// Lengths and directions of a polyline's segments.
+void CrackSurface::measure_segments() {
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    arc_.push_back(k == 0 ? 0.0 : arc_.back() + length(difference(points_[k], points_[k - 1])));
+  }
+  for (std::size_t k = 0; dimension_ == 2 && k + 1 < points_.size(); ++k) {
+    const double segment_length = arc_[k + 1] - arc_[k];
+    directions_.push_back(
+        {(points_[k + 1][0] - points_[k][0]) / segment_length, (points_[k + 1][1] - points_[k][1]) / segment_length});
+  }
+  parts_.resize(std::max<std::size_t>(1, directions_.size()));
+  std::iota(parts_.begin(), parts_.end(), 0);
+  closed_ = dimension_ == 2 && points_.front() == points_.back();
 }
 
 std::array<double, 2> CrackSurface::in_plane(const Point& x) const {

@@ -95,6 +95,9 @@ class CrackSurface {
   bool contains(const Point& x) const;
   std::array<double, 2> in_plane(const Point& x) const;
   double time_after(double length) const;
+  void measure_segments();
+  std::vector<std::array<Point, 2>> segment_pieces(double length, const std::array<Point, 2>& box) const;
+  std::vector<std::array<Point, 2>> plane_pieces(double length, const std::array<Point, 2>& box) const;
 
   int dimension_;
   double tolerance_;  ///< distance below which a point lies on the crack [m]

@@ -77,19 +77,26 @@ std::vector<std::array<Point, 2>> CrackSurface::pieces(double length, const Poin
   const Corners box{lower, upper};
   if (!meet(bounds(), box, 0.0)) return {};
   if (dimension_ == 1) return {bounds()};
+  return dimension_ == 2 ? segment_pieces(length, box) : plane_pieces(length, box);
+}
+
+std::vector<std::array<Point, 2>> CrackSurface::segment_pieces(double length, const std::array<Point, 2>& box) const {
   std::vector<Corners> boxes;
   for (std::size_t k = 0; k < directions_.size(); ++k) {
     const auto [first, last] = shares_inside(points_[k], points_[k + 1], box);
     if (first > last) continue;
     const int count = count_for((last - first) * (arc_[k + 1] - arc_[k]), length);
+    const double step = (last - first) / count;
     for (int n = 0; n < count; ++n) {
-      const double step = (last - first) / count;
       boxes.push_back(box_around({between(points_[k], points_[k + 1], first + n * step),
                                   between(points_[k], points_[k + 1], first + (n + 1) * step)}));
     }
   }
-  if (dimension_ == 2) return boxes;
-  // Squares in the plane of the crack, over the rectangle around what of it may lie in the box.
+  return boxes;
+}
+
+/// Squares in the plane of the crack, over the rectangle around what of it may lie in the box.
+std::vector<std::array<Point, 2>> CrackSurface::plane_pieces(double length, const std::array<Point, 2>& box) const {
   std::array<double, 2> low{-radius_, -radius_}, high{radius_, radius_};
   for (const auto& corner : plane_corners_) {
     for (int k = 0; k < 2; ++k) {
@@ -97,10 +104,9 @@ std::vector<std::array<Point, 2>> CrackSurface::pieces(double length, const Poin
       high[k] = std::max(high[k], corner[k]);
     }
   }
-  const std::array<const Point*, 2> directions{&along_, &across_};
   std::array<int, 2> counts{};
   for (int k = 0; k < 2; ++k) {
-    const auto span = span_along(box, points_[0], *directions[k]);
+    const auto span = span_along(box, points_[0], k == 0 ? along_ : across_);
     low[k] = std::max(low[k], span[0]);
     high[k] = std::max(low[k], std::min(high[k], span[1]));
     counts[k] = count_for(high[k] - low[k], length);
@@ -112,6 +118,7 @@ std::vector<std::array<Point, 2>> CrackSurface::pieces(double length, const Poin
     for (int axis = 0; axis < 3; ++axis) x[axis] = points_[0][axis] + along * along_[axis] + across * across_[axis];
     return x;
   };
+  std::vector<Corners> boxes;
   for (int n = 0; n < counts[0]; ++n) {
     for (int m = 0; m < counts[1]; ++m) {
       const Corners square = box_around({at(n, m), at(n + 1, m), at(n, m + 1), at(n + 1, m + 1)});

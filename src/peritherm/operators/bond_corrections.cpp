@@ -143,7 +143,8 @@ void BondCorrections::for_raised(const std::function<void(std::size_t, double)>&
     }
   }
   for (const ChangingRow& row : parts_.rows) {
-    if (parts_.scales[row.scale] != 0.0) visit(static_cast<std::size_t>(row.entry), raised_at(static_cast<std::size_t>(row.entry)));
+    if (parts_.scales[row.scale] != 0.0)
+      visit(static_cast<std::size_t>(row.entry), raised_at(static_cast<std::size_t>(row.entry)));
   }
 }
 
@@ -162,9 +163,8 @@ std::vector<std::size_t> BondCorrections::changing_points() const {
 std::size_t BondCorrections::bytes() const {
   return parts_.patterns.bytes() + parts_.segments.capacity() * sizeof(Segment) +
          parts_.begin.capacity() * sizeof(std::size_t) + by_entry_.capacity() * sizeof(by_entry_[0]) +
-         parts_.rows.capacity() * sizeof(ChangingRow) +
-         parts_.distances.capacity() * sizeof(std::int32_t) + parts_.differences.capacity() * sizeof(double) +
-         parts_.cuts.bytes() + parts_.cut_bonds.bytes();
+         parts_.rows.capacity() * sizeof(ChangingRow) + parts_.distances.capacity() * sizeof(std::int32_t) +
+         parts_.differences.capacity() * sizeof(double) + parts_.cuts.bytes() + parts_.cut_bonds.bytes();
 }
 
 }  // namespace peritherm

@@ -36,7 +36,7 @@ class BondCorrections {
     std::uint16_t scale;
   };
   struct Parts {
-    std::vector<double> scales;      ///< 1 / (ρ c V) per material [K/J], and 0 for what is held
+    std::vector<double> scales;  ///< 1 / (ρ c V) per material [K/J], and 0 for what is held
     CorrectionPatterns patterns;
     std::vector<Segment> segments;   ///< block by block; in a block those of a pattern stand together
     std::vector<std::size_t> begin;  ///< blocks + 1, into segments; the blocks' points ascend
@@ -53,8 +53,8 @@ class BondCorrections {
   /// result += rate_weight · Σ difference (T_j − T_i) / C_i; the same bits for any number of threads.
   void apply(ConstField temperature, double rate_weight, Field result) const;
 
-  /// Calls visit(entry of j minus the point's own, difference) for the corrected bonds of a point. A bond may be visited
-  /// several times: the sum counts.
+  /// Calls visit(entry of j minus the point's own, difference) for the corrected bonds of a point. A bond may be
+  /// visited several times: the sum counts.
   template <class Visit>
   void visit(std::size_t entry, Visit&& visit) const {
     for (const BondList& bonds : lists_of(static_cast<std::int64_t>(entry))) {

@@ -94,8 +94,7 @@ std::unique_ptr<ConductionOperator> make_bond_operator(Bonds bonds, std::vector<
 /// One stencil for all points of a grid and sparse corrections.
 /// `kernel`: index into available_kernels(); all give the same sums to rounding.
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
-                                                          const Stencil& stencil,
-                                                          const HeldPoints& held_by,
+                                                          const Stencil& stencil, const HeldPoints& held_by,
                                                           std::size_t kernel = 0);
 
 /// How conduction is evaluated; the list.

@@ -296,7 +296,8 @@ BondCorrections make_corrections(const Body& body, const PaddedGrid& layout, con
       }
       built[static_cast<std::size_t>(b - first)] = builder.take();
     }
-    for (std::int64_t b = first; b < last; ++b) append_block(std::move(built[static_cast<std::size_t>(b - first)]), parts);
+    for (std::int64_t b = first; b < last; ++b)
+      append_block(std::move(built[static_cast<std::size_t>(b - first)]), parts);
   }
   finish(parts);
   return BondCorrections(std::move(parts), kernel);

@@ -76,8 +76,7 @@ void sum_points(const BondList& bonds, const double* const* own, int points, dou
 }
 
 template <int Lanes, int Vectors, class Bonds>
-__attribute__((always_inline)) inline void sum_vectors(const Bonds& bonds, int count, const double* own,
-                                                       double* sums) {
+__attribute__((always_inline)) inline void sum_vectors(const Bonds& bonds, int count, const double* own, double* sums) {
   typedef double Vector __attribute__((vector_size(Lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
   Vector centre[Vectors], sum[Vectors];
   for (int v = 0; v < Vectors; ++v) {

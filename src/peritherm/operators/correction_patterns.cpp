@@ -81,8 +81,8 @@ bool CorrectionPatterns::equals(std::uint32_t pattern, Bonds bonds) const {
 }
 
 void CorrectionPatterns::finish() {
-  code_of_ = {};
-  number_of_ = {};
+  decltype(code_of_)().swap(code_of_);
+  decltype(number_of_)().swap(number_of_);
   patterns_.shrink_to_fit();
   codes_.shrink_to_fit();
   dictionary_.shrink_to_fit();

@@ -15,8 +15,8 @@ namespace {
 
 class GridOperator final : public ConductionOperator {
  public:
-  GridOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil,
-               const HeldPoints& held_by, std::size_t kernel)
+  GridOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil, const HeldPoints& held_by,
+               std::size_t kernel)
       : layout_(layout),
         stencil_(stencil),
         uniform_(make_direct_sum(layout, stencil, kernel)),
@@ -157,9 +157,7 @@ class GridOperator final : public ConductionOperator {
     if (!corrections_.empty()) add_correction_weights(stretch, scales, holder, held, origin, weights);
   }
 
-  bool average_over(double from, double to) override {
-    return corrections_.average_over(from, to);
-  }
+  bool average_over(double from, double to) override { return corrections_.average_over(from, to); }
 
   std::vector<std::size_t> changing_points() const override { return corrections_.changing_points(); }
 
@@ -170,7 +168,8 @@ class GridOperator final : public ConductionOperator {
     for (const RowRun& run : runs_.runs) bound = std::max(bound, 2.0 * stencil_sum_ * run.rate_scale);
     corrections_.for_raised([&](std::size_t entry, double raised) {
       const MaterialIndex material = material_of(layout_.grid().number(layout_.index(entry)));
-      bound = std::max(bound, 2.0 * inverse_capacities_[material] * (conductivities_[material] * stencil_sum_ + raised));
+      bound =
+          std::max(bound, 2.0 * inverse_capacities_[material] * (conductivities_[material] * stencil_sum_ + raised));
     });
     return bound;
   }
@@ -256,8 +255,7 @@ class GridOperator final : public ConductionOperator {
 }  // namespace
 
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
-                                                          const Stencil& stencil,
-                                                          const HeldPoints& held_by,
+                                                          const Stencil& stencil, const HeldPoints& held_by,
                                                           std::size_t kernel) {
   return std::make_unique<GridOperator>(body, layout, stencil, held_by, kernel);
 }

@@ -104,8 +104,7 @@ int held_layers(const HeldTemperature& held, const Grid& grid, double horizon) {
 }
 
 /// Where two faces meet, the later axis decides; a selected set of points goes before faces.
-void hold_points(const Problem& problem, Geometry& geometry) {
-  const Body& body = geometry.body;
+std::vector<std::size_t> order_of_holding(const Problem& problem) {
   std::vector<std::size_t> order(problem.boundaries.size());
   for (std::size_t b = 0; b < order.size(); ++b) order[b] = b;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -115,33 +114,46 @@ void hold_points(const Problem& problem, Geometry& geometry) {
     };
     return rank(a) < rank(b);
   });
+  return order;
+}
+
+/// Calls visit(point) for what a boundary of held temperature holds.
+template <class Visit>
+void for_held(const BoundaryOptions& boundary, std::size_t number, const Geometry& geometry, Visit&& visit) {
+  const Body& body = geometry.body;
+  const Grid& grid = body.grid;
+  if (boundary.face) {
+    const auto& held = std::get<HeldTemperature>(boundary.condition);
+    const int layers =
+        std::min(held_layers(held, grid, geometry.stencil_options.horizon), grid.count(axis_of(*boundary.face)));
+    for (int depth = 0; depth < layers; ++depth) {
+      for_layer(grid, *boundary.face, depth, [&](const GridIndex& p) {
+        if (body.boundary_at(*boundary.face, p) == static_cast<int>(number)) visit(p);
+      });
+    }
+    return;
+  }
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    const GridIndex p = grid.index(n);
+    if (contains(*boundary.where, grid.position(p), 1e-9 * grid.spacing)) visit(p);
+  }
+}
+
+void hold_points(const Problem& problem, Geometry& geometry) {
+  const Body& body = geometry.body;
   geometry.held_boxes.resize(problem.boundaries.size());
-  for (const std::size_t b : order) {
+  for (const std::size_t b : order_of_holding(problem)) {
     const BoundaryOptions& boundary = problem.boundaries[b];
     const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
     if (held == nullptr) continue;
     std::size_t count = 0;
-    const auto hold = [&](const GridIndex& p) {
+    for_held(boundary, b, geometry, [&](const GridIndex& p) {
       const std::size_t n = body.grid.number(p);
       if (body.material_of[n] == no_material) return;
       geometry.held_by.hold(n, static_cast<std::int16_t>(b), body.grid.size());
       geometry.held_boxes[b].include(p);
       ++count;
-    };
-    if (boundary.face) {
-      const int layers = std::min(held_layers(*held, body.grid, geometry.stencil_options.horizon),
-                                  body.grid.count(axis_of(*boundary.face)));
-      for (int depth = 0; depth < layers; ++depth) {
-        for_layer(body.grid, *boundary.face, depth, [&](const GridIndex& p) {
-          if (body.boundary_at(*boundary.face, p) == static_cast<int>(b)) hold(p);
-        });
-      }
-    } else {
-      for (std::size_t n = 0; n < body.grid.size(); ++n) {
-        const GridIndex p = body.grid.index(n);
-        if (contains(*boundary.where, body.grid.position(p), 1e-9 * body.grid.spacing)) hold(p);
-      }
-    }
+    });
     if (count == 0 && (!boundary.face || held->imposed == Imposed::inner)) {
       throw Error("boundary." + std::to_string(b) + ": holds no point",
                   "Choose a thicker layer, or a part of the body that is not cut away");

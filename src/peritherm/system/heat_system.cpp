@@ -34,7 +34,7 @@ HeatSystem::HeatSystem(HeatSystemParts parts) : parts_(std::move(parts)), field_
     measure(account, changing);
     keep_holders = keep_holders || !account.changing_points.empty();
   }
-  if (!keep_holders) holder_ = {};
+  if (!keep_holders) std::vector<std::int16_t>().swap(holder_);
 }
 
 /// Per entry: the boundary that holds it, fictitious entries by what they follow; −1 for none.

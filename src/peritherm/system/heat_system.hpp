@@ -45,10 +45,10 @@ struct HeatSystemParts {
   PrescribedValues exchange_values;
   Grid grid;  ///< where the heated points stand
   std::vector<HeatedPart> sources;
-  std::vector<std::string> boundary_names;           ///< per boundary index
+  std::vector<std::string> boundary_names;  ///< per boundary index
   /// Per boundary: points that may touch what it holds, ascending.
   std::vector<std::vector<ConductionOperator::Stretch>> near_held;
-  double spectral_bound = 0.0;                       ///< known bound of the fastest rate of conduction [1/s]; 0: none
+  double spectral_bound = 0.0;  ///< known bound of the fastest rate of conduction [1/s]; 0: none
 };
 
 /// C dT/dt = conduction + boundaries + sources on any set of points.
@@ -87,7 +87,7 @@ class HeatSystem final : public ThermalSystem {
   /// Heat rate through one boundary as a linear function of the temperatures, Σ weight · T, plus what its exchanges
   /// bring in.
   struct Account {
-    int boundary = -1;  ///< −1: the sources
+    int boundary = -1;                                  ///< −1: the sources
     LinearFunctional conduction{};                      ///< through bonds that stay [W/K]
     LinearFunctional changing{};                        ///< through bonds of points with some that are cut in time
     std::vector<std::int64_t> changing_points{};        ///< their entries
@@ -114,8 +114,8 @@ class HeatSystem final : public ThermalSystem {
   std::size_t field_size_;
   std::vector<Account> accounts_;
   std::vector<std::int16_t> holder_;  ///< per entry, kept only where bonds to held entries change in time
-  std::vector<double> load_;       ///< rate from sources [K/s]; empty without sources
-  double source_heat_rate_ = 0.0;  ///< [W]
+  std::vector<double> load_;          ///< rate from sources [K/s]; empty without sources
+  double source_heat_rate_ = 0.0;     ///< [W]
   double load_time_ = 0.0;
   bool load_fresh_ = false;
   bool sources_change_ = false;

@@ -70,7 +70,7 @@ void LinearFunctional::finish() {
   if (chunk_begin_.back() != strips_.size()) chunk_begin_.push_back(strips_.size());
   strips_.shrink_to_fit();
   weights_.shrink_to_fit();
-  known_ = {};
+  decltype(known_)().swap(known_);
 }
 
 double LinearFunctional::sum(std::size_t first, std::size_t last, const double* field) const {
@@ -89,7 +89,8 @@ double LinearFunctional::operator()(ConstField field) const {
   double* const sums = room.data();
 #pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::int64_t c = 0; c < chunks; ++c) {
-    sums[c] = sum(chunk_begin_[static_cast<std::size_t>(c)], chunk_begin_[static_cast<std::size_t>(c) + 1], field.data());
+    sums[c] =
+        sum(chunk_begin_[static_cast<std::size_t>(c)], chunk_begin_[static_cast<std::size_t>(c) + 1], field.data());
   }
   return std::accumulate(sums, sums + chunks, 0.0);
 }
