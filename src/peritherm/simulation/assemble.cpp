@@ -245,47 +245,6 @@ double spectral_bound(const Geometry& geometry) {
   return conductivity * largest_symbol(geometry.stencil, body.grid.dimension) / (capacity * body.grid.cell_volume());
 }
 
-/// Lengthens the last row, or begins another.
-void append(const GridIndex& p, std::int64_t entry, double volume, double inverse_capacity,
-            std::vector<HeatedRow>& rows) {
-  if (!rows.empty()) {
-    HeatedRow& last = rows.back();
-    const bool continues = last.entry + last.length == entry && last.first[1] == p[1] && last.first[2] == p[2];
-    if (continues && last.volume == volume && last.inverse_capacity == inverse_capacity) {
-      ++last.length;
-      return;
-    }
-  }
-  rows.push_back({p, 1, entry, volume, inverse_capacity});
-}
-
-std::vector<HeatedPart> make_sources(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout) {
-  const Body& body = geometry.body;
-  std::vector<HeatedPart> parts;
-  for (const HeatSource& source : problem.sources) {
-    HeatedPart part{source.value, {}};
-    GridIndex p{};
-    for (p[2] = 0; p[2] < body.grid.count(2); ++p[2]) {
-      for (p[1] = 0; p[1] < body.grid.count(1); ++p[1]) {
-        for (p[0] = 0; p[0] < body.grid.count(0); ++p[0]) {
-          const std::size_t n = body.grid.number(p);
-          if (body.material_of[n] == no_material || geometry.held_by[n] >= 0) continue;
-          if (source.where && !contains(*source.where, body.grid.position(p), 1e-9 * body.grid.spacing)) continue;
-          const double volume = body.grid.cell_volume() * body.grid.volume_share(p);
-          const double capacity = volumetric_heat_capacity(body.materials[body.material_of[n]]) * volume;
-          append(p, static_cast<std::int64_t>(layout.entry(p)), volume, 1.0 / capacity, part.rows);
-        }
-      }
-    }
-    if (part.rows.empty()) {
-      throw Error("source." + std::to_string(parts.size()) + ": heats no point, for all of them are cut away or held",
-                  "Move or enlarge its shape");
-    }
-    parts.push_back(std::move(part));
-  }
-  return parts;
-}
-
 }  // namespace
 
 Geometry make_geometry(const Problem& problem) {

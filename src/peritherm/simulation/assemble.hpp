@@ -63,6 +63,9 @@ FieldStorage initial_state(const Problem& problem, const Assembly& assembly);
 std::vector<SurfaceExchange> make_exchanges(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout,
                                             PrescribedValues& values);
 
+/// What heats the points of the body from within. Throws Error if a source heats no point.
+std::vector<HeatedPart> make_sources(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout);
+
 /// Heat flux vector at every point [W/m²], NaN where cut away: one-sided in 1-D [bobaru2010, eq. 12], from the hotter
 /// neighbours in 2-D and 3-D [bobaru2012, eq. 7]; it points from hot to cold. `state` must be filled.
 std::vector<Point> heat_flux(const Assembly& assembly, ConstField state);
