@@ -91,6 +91,12 @@ class BondOperator final : public ConductionOperator {
     return sum;
   }
 
+  double heat_capacity() const override {
+    double sum = 0.0;
+    for (const double inverse : inverse_capacities_) sum += inverse > 0.0 ? 1.0 / inverse : 0.0;
+    return sum;
+  }
+
   Extremes extremes(ConstField temperature) const override {
     Extremes found{temperature[static_cast<std::size_t>(entries_[0])],
                    temperature[static_cast<std::size_t>(entries_[0])]};

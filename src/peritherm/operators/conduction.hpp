@@ -2,11 +2,14 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "peritherm/base/describe.hpp"
 #include "peritherm/base/field.hpp"
 #include "peritherm/discretisation/bonds.hpp"
+#include "peritherm/discretisation/damage.hpp"
+#include "peritherm/discretisation/held_points.hpp"
 #include "peritherm/operators/combination.hpp"
 
 namespace peritherm {
@@ -37,6 +40,9 @@ class ConductionOperator {
   /// Σ C T over the free points [J], the same bits for any number of threads.
   virtual double stored_heat(ConstField temperature) const = 0;
 
+  /// Σ C over the free points [J/K].
+  virtual double heat_capacity() const = 0;
+
   /// Lowest and highest temperature of the body's points.
   struct Extremes {
     double lowest, highest;
@@ -50,6 +56,19 @@ class ConductionOperator {
   /// neighbour may be visited several times: the sum counts.
   virtual void visit_bonds(std::size_t entry, const Visitor& visit) const = 0;
 
+  /// Largest distance in a field between the entries of two points that exchange heat.
+  virtual std::size_t reach() const { return size(); }
+
+  /// Heat rate Σ G_ij (T_j − T_i) from the entries j that `holder` ascribes to a boundary into the points of a stretch
+  /// along x that nothing holds, as weights of temperatures: adds G_ij to weights[j − origin] and takes it from
+  /// weights[i − origin]. `holder` per entry: boundary index, −1 for none.
+  struct Stretch {
+    std::int64_t entry;
+    std::int32_t length;
+  };
+  virtual void add_exchange_weights(const Stretch& stretch, std::span<const std::int16_t> holder, int boundary,
+                                    std::int64_t origin, Field weights) const;
+
   /// Conductances that change in time take their mean over [from, to], or their value at `from` if both are equal.
   /// True if any is another than before.
   virtual bool average_over(double from, double to) = 0;
@@ -59,6 +78,9 @@ class ConductionOperator {
 
   /// Entries of points whose bonds change in time, ascending.
   virtual std::vector<std::size_t> changing_points() const = 0;
+
+  /// The bonds that cracks cut, where they were counted on the way; none otherwise.
+  virtual const CutBonds* cut_bonds() const { return nullptr; }
 
   /// Gershgorin's bound of the fastest decay rate, max 2 Σ_j G_ij / C_i [1/s].
   virtual double gershgorin_bound() const = 0;
@@ -72,11 +94,10 @@ class ConductionOperator {
 std::unique_ptr<ConductionOperator> make_bond_operator(Bonds bonds, std::vector<std::int64_t> entries,
                                                        std::vector<double> inverse_capacities, std::size_t field_size);
 
-/// One stencil for all points of a grid and sparse corrections. `held_by` per point: −1 for free ones; may be empty.
+/// One stencil for all points of a grid and sparse corrections.
 /// `kernel`: index into available_kernels(); all give the same sums to rounding.
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
-                                                          const Stencil& stencil,
-                                                          const std::vector<std::int16_t>& held_by,
+                                                          const Stencil& stencil, const HeldPoints& held_by,
                                                           std::size_t kernel = 0);
 
 /// How conduction is evaluated; the list.

@@ -8,6 +8,7 @@
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/discretisation/damage.hpp"
+#include "peritherm/discretisation/padded_grid.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/memory.hpp"
@@ -46,12 +47,36 @@ double growth_evaluations(const Problem& problem, double spacing, double toleran
   return 210.0 * passed * std::pow(1e-4 / tolerance, 0.35);
 }
 
-double bytes_of_fields(const Grid& grid, int radius, int states) {
-  double padded = 1.0;
-  for (int axis = 0; axis < grid.dimension; ++axis) padded *= grid.count(axis) + 2.0 * radius;
-  // Materials, holders and special flags take 4 B a point; output gathers temperature and flux, 32 B; the energy
-  // balance needs a field for a moment.
-  return padded * 8.0 * states + static_cast<double>(grid.size()) * 44.0;
+/// Temperatures are gathered for whatever is written; flux and damage one after the other.
+double bytes_while_writing(const OutputKind& kind) {
+  std::vector<FieldName> fields;
+  if (const auto* vtk = std::get_if<VtkOutput>(&kind)) fields = vtk->fields;
+  if (const auto* picture = std::get_if<PictureOutput>(&kind)) fields = {picture->field};
+  double most = 0.0;
+  for (const FieldName field : fields) {
+    most = std::max(most, field == FieldName::heat_flux ? 24.0 : (field == FieldName::damage ? 8.0 : 0.0));
+  }
+  return 8.0 + most;
+}
+
+constexpr double bytes_of_program = 12e6;  // the library, what it links to, and a folder's worth of small things
+
+/// The states that a run holds, and what its outputs take for the moment of writing.
+double bytes_of_fields(const Problem& problem, int states) {
+  const Grid grid = make_grid(problem);
+  const double ratio = horizon_of(problem) / grid.spacing;
+  const PaddedGrid layout(grid, static_cast<int>(std::ceil(ratio + 0.5)));
+  bool holds = grid.placement == PointPlacement::boundary;
+  for (const BoundaryOptions& boundary : problem.boundaries) {
+    const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
+    holds = holds || (held != nullptr && (!boundary.face || held->imposed == Imposed::inner));
+  }
+  double per_point = 1.0 + (holds ? 2.0 : 0.0);
+  double output = 0.0;
+  for (const OutputOptions& options : problem.outputs) output = std::max(output, bytes_while_writing(options.kind));
+  per_point += output;
+  return bytes_of_program + 8.0 * states * static_cast<double>(layout.size()) +
+         per_point * static_cast<double>(grid.size());
 }
 
 double bytes_of_bonds(const Grid& grid, std::size_t bonds_per_point) {
@@ -99,16 +124,19 @@ void estimate_costs(const Problem& problem, const TimeStepping& stepping, HeatSy
   plan.duration = plan.evaluations * evaluation_seconds(problem, stencil) / threads;
 }
 
+/// What does not depend on the bonds of this very body.
+double memory_of_run(const Problem& problem) {
+  return bytes_of_fields(problem,
+                         std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
+}
+
+/// Known before anything is allocated: corrected bonds are not, but they lie near surfaces and cracks only.
 double memory_estimate(const Problem& problem) {
   const Grid grid = make_grid(problem);
-  const StencilOptions options = stencil_options(problem);
-  const double ratio = options.horizon / grid.spacing;
-  double bytes = bytes_of_fields(grid, static_cast<int>(std::ceil(ratio + 0.5)),
-                                 std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
-  // Heated points carry their place and heat capacity, and a field holds their rates.
-  if (!problem.sources.empty()) bytes += 64.0 * static_cast<double>(grid.size());
+  double bytes = memory_of_run(problem);
+  if (!problem.sources.empty()) bytes += 8.0 * static_cast<double>(grid.size());
   if (choose_backend(problem) == BackendName::bond) {
-    bytes += bytes_of_bonds(grid, make_stencil(options, grid.spacing, grid.dimension).entries.size());
+    bytes += bytes_of_bonds(grid, make_stencil(stencil_options(problem), grid.spacing, grid.dimension).entries.size());
   }
   return bytes;
 }
@@ -135,17 +163,20 @@ Plan make_plan(const Problem& problem, const Assembly& assembly, const ChosenSte
   plan.dimension = body.grid.dimension;
   plan.spacing = body.grid.spacing;
   plan.horizon = geometry.stencil_options.horizon;
-  plan.points = static_cast<std::size_t>(std::count_if(body.material_of.begin(), body.material_of.end(),
-                                                       [](MaterialIndex m) { return m != no_material; }));
-  plan.bonds = count_bonds(body, geometry.stencil);
-  for (const CutBond& cut : find_cut_bonds(body, geometry.stencil)) {
-    plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
+  plan.points = body.grid.size();
+  if (body.has_voids()) {
+    plan.points -= static_cast<std::size_t>(std::count(body.material_of.begin(), body.material_of.end(), no_material));
   }
+  plan.bonds = count_bonds(body, geometry.stencil);
+  const CutBonds* const known = assembly.system->conduction().cut_bonds();
+  plan.cut_bonds = known != nullptr ? known->count_before(problem.time.end)
+                                    : find_cut_bonds(body, geometry.stencil).count_before(problem.time.end);
   plan.backend = name_of(assembly.backend);
   plan.integrator = std::visit([](const auto& options) { return std::string(options.name); }, chosen.stepping);
   plan.integrator_reason = chosen.reason;
-  plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem));
-  if (assembly.backend == BackendName::stencil) plan.memory_bytes += assembly.system->bytes();
+  plan.memory_bytes = static_cast<std::size_t>(
+      assembly.backend == BackendName::bond ? memory_estimate(problem)
+                                            : memory_of_run(problem) + static_cast<double>(assembly.system->bytes()));
   estimate_costs(problem, chosen.stepping, *assembly.system, geometry.stencil, threads, plan);
   return plan;
 }
