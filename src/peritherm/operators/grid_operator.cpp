@@ -6,8 +6,8 @@
 
 #include "peritherm/operators/bond_corrections.hpp"
 #include "peritherm/operators/conduction.hpp"
+#include "peritherm/operators/kernels.hpp"
 #include "peritherm/operators/row_runs.hpp"
-#include "peritherm/operators/stencil_program.hpp"
 #include "peritherm/operators/stencil_sum.hpp"
 
 namespace peritherm {
