@@ -5,6 +5,8 @@
 #include <map>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/operators/fourier_sum.hpp"
+#include "peritherm/simulation/backend_choice.hpp"
 #include "peritherm/simulation/check.hpp"
 
 namespace peritherm {
@@ -175,7 +177,8 @@ std::vector<std::int64_t> find_near_held(const Geometry& geometry, const Boundar
   return entries;
 }
 
-std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, const PaddedGrid& layout) {
+std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, const PaddedGrid& layout,
+                                                      Precision precision) {
   const Body& body = geometry.body;
   const Points points = make_points(body, layout);
   const StencilOptions& options = geometry.stencil_options;
@@ -207,7 +210,15 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
   std::vector<std::int64_t> owned(points.entries.begin(),
                                   points.entries.begin() + static_cast<std::ptrdiff_t>(points.owned));
   return make_bond_operator(make_bonds(points, options, calibration, BondTracer(body), partner), std::move(owned),
-                            std::move(inverse_capacities), layout.size());
+                            std::move(inverse_capacities), layout.size(), precision);
+}
+
+std::unique_ptr<ConductionOperator> make_grid_backend(const Geometry& geometry, const PaddedGrid& layout,
+                                                      BackendName backend, Precision precision) {
+  constexpr std::size_t kernel = 0;
+  auto uniform = backend == BackendName::fourier ? make_fourier_sum(layout, geometry.stencil, precision)
+                                                 : make_direct_sum(layout, geometry.stencil, kernel, precision);
+  return make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by, kernel, std::move(uniform));
 }
 
 /// Every bond conducts at most as the best material does, and every point stores at least as the poorest.
@@ -285,14 +296,10 @@ Geometry make_geometry(const Problem& problem) {
   return geometry;
 }
 
-BackendName choose_backend(const Problem& problem) {
-  return problem.numerics.backend == BackendName::bond ? BackendName::bond : BackendName::stencil;
-}
-
 Assembly assemble(const Problem& problem) {
   Geometry geometry = make_geometry(problem);
   const PaddedGrid layout(geometry.body.grid, geometry.stencil.radius);
-  const BackendName backend = choose_backend(problem);
+  const BackendName backend = expect_backend(problem, geometry.stencil, 1).backend;
   HeatSystemParts parts;
   std::vector<bool> depends_on_place;
   for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
@@ -311,8 +318,8 @@ Assembly assemble(const Problem& problem) {
   parts.boundary_names = geometry.boundary_names;
   parts.spectral_bound = spectral_bound(geometry);
   parts.conduction = backend == BackendName::bond
-                         ? make_bond_backend(geometry, layout)
-                         : make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by);
+                         ? make_bond_backend(geometry, layout, problem.numerics.precision)
+                         : make_grid_backend(geometry, layout, backend, problem.numerics.precision);
   return {std::move(geometry), layout, backend, std::make_unique<HeatSystem>(std::move(parts))};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "peritherm/base/error.hpp"
@@ -16,10 +17,6 @@
 namespace peritherm {
 namespace {
 
-/// Rough costs of one evaluation on one core of a present-day machine [s].
-constexpr double stencil_seconds_per_bond = 0.08e-9;
-constexpr double stencil_seconds_per_point = 4e-9;
-constexpr double list_seconds_per_bond = 1.3e-9;
 /// Below this, waiting for one another costs threads more than they gain, above all on a busy machine.
 constexpr double least_work_per_thread = 150e-6;
 
@@ -80,15 +77,8 @@ void refuse_if_too_large(double bytes, const Grid& grid) {
               "Choose fewer cells, or run it on a machine with more memory", Fault::machine);
 }
 
-/// One evaluation on one thread.
-double evaluation_seconds(const Problem& problem, const Stencil& stencil) {
-  const auto points = static_cast<double>(make_grid(problem).size());
-  const double bonds = points * static_cast<double>(stencil.entries.size());
-  if (choose_backend(problem) == BackendName::bond) return bonds * list_seconds_per_bond;
-  return bonds * stencil_seconds_per_bond + points * stencil_seconds_per_point;
-}
-
-void estimate_costs(const Problem& problem, double fastest_rate, const Stencil& stencil, int threads, Plan& plan) {
+/// Stable step, step and number of evaluations.
+void estimate_steps(const Problem& problem, double fastest_rate, double spacing, Plan& plan) {
   const double end = problem.time.end;
   std::visit(
       [&](const auto& chosen) {
@@ -98,14 +88,24 @@ void estimate_costs(const Problem& problem, double fastest_rate, const Stencil& 
           plan.evaluations = std::ceil(end / plan.step) * chosen.stages;
         } else {
           plan.evaluations = rkl2_evaluations(fastest_rate * end, chosen.relative_tolerance) +
-                             growth_evaluations(problem, plan.spacing, chosen.relative_tolerance);
+                             growth_evaluations(problem, spacing, chosen.relative_tolerance);
         }
       },
       problem.time.integrator);
-  plan.duration = plan.evaluations * evaluation_seconds(problem, stencil) / threads;
 }
 
-double memory_estimate(const Problem& problem) {
+/// Before anything large is made: no bond conducts better than the best of all materials, no point stores less than the
+/// poorest.
+double expected_fastest_rate(const Problem& problem, const Grid& grid, const Stencil& stencil) {
+  double conductivity = 0.0, capacity = std::numeric_limits<double>::infinity();
+  for (const auto& [name, material] : problem.materials) {
+    conductivity = std::max(conductivity, material.conductivity);
+    capacity = std::min(capacity, volumetric_heat_capacity(material));
+  }
+  return conductivity * largest_symbol(stencil, grid.dimension) / (capacity * grid.cell_volume());
+}
+
+double memory_estimate(const Problem& problem, BackendName backend, int threads) {
   const Grid grid = make_grid(problem);
   const StencilOptions options = stencil_options(problem);
   const double ratio = options.horizon / grid.spacing;
@@ -113,28 +113,40 @@ double memory_estimate(const Problem& problem) {
                                  std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
   // Heated points carry their place and heat capacity, and a field holds their rates.
   if (!problem.sources.empty()) bytes += 64.0 * static_cast<double>(grid.size());
-  if (choose_backend(problem) == BackendName::bond) {
-    bytes += bytes_of_bonds(grid, make_stencil(options, grid.spacing, grid.dimension).entries.size());
-  }
-  return bytes;
+  const Stencil stencil = make_stencil(options, grid.spacing, grid.dimension);
+  if (backend == BackendName::bond) bytes += bytes_of_bonds(grid, stencil.entries.size());
+  return bytes + backend_bytes(problem, backend, stencil.radius, threads);
 }
 
-}  // namespace
-
-void refuse_if_too_large(const Problem& problem) { refuse_if_too_large(memory_estimate(problem), make_grid(problem)); }
-
+/// Threads that the run uses; also tells OpenMP.
 int set_threads(const Problem& problem) {
   int threads = problem.numerics.threads;
   if (threads == 0) {
-    const double work = evaluation_seconds(
-        problem, make_stencil(stencil_options(problem), make_grid(problem).spacing, make_grid(problem).dimension));
+    const Grid grid = make_grid(problem);
+    const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
+    const double work = expect_backend(problem, stencil, 1).evaluation_seconds;
     threads = std::clamp(static_cast<int>(work / least_work_per_thread), 1, omp_get_num_procs());
   }
   omp_set_num_threads(threads);
   return threads;
 }
 
-Plan make_plan(const Problem& problem, const Assembly& assembly, int threads) {
+}  // namespace
+
+Prepared prepare(const Problem& problem) {
+  Prepared prepared{problem, {}, set_threads(problem)};
+  const Grid grid = make_grid(problem);
+  const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
+  Plan steps;
+  estimate_steps(problem, expected_fastest_rate(problem, grid, stencil), grid.spacing, steps);
+  prepared.choice = choose_backend(problem, stencil, prepared.threads, steps.evaluations);
+  prepared.problem.numerics.backend = prepared.choice.backend;
+  refuse_if_too_large(memory_estimate(prepared.problem, prepared.choice.backend, prepared.threads), grid);
+  return prepared;
+}
+
+Plan make_plan(const Prepared& prepared, const Assembly& assembly) {
+  const Problem& problem = prepared.problem;
   const Geometry& geometry = assembly.geometry;
   const Body& body = geometry.body;
   Plan plan;
@@ -148,20 +160,22 @@ Plan make_plan(const Problem& problem, const Assembly& assembly, int threads) {
     plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
   }
   plan.backend = name_of(assembly.backend);
+  plan.backend_reason = prepared.choice.reason;
+  plan.precision = name_of(problem.numerics.precision);
   plan.integrator = std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
-  plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem));
+  plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem, assembly.backend, prepared.threads));
   if (assembly.backend == BackendName::stencil) plan.memory_bytes += assembly.system->bytes();
-  estimate_costs(problem, assembly.system->fastest_rate(), geometry.stencil, threads, plan);
+  estimate_steps(problem, assembly.system->fastest_rate(), plan.spacing, plan);
+  plan.duration = plan.evaluations * prepared.choice.evaluation_seconds;
   return plan;
 }
 
 Plan plan(const Problem& problem) {
-  refuse_if_too_large(problem);
-  const int threads = set_threads(problem);
-  const Assembly assembly = assemble(problem);
+  const Prepared prepared = prepare(problem);
+  const Assembly assembly = assemble(prepared.problem);
   // Refuses a step beyond the stability limit, as the run would.
   make_integrator(problem.time.integrator, *assembly.system);
-  return make_plan(problem, assembly, threads);
+  return make_plan(prepared, assembly);
 }
 
 }  // namespace peritherm

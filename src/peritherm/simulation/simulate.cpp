@@ -274,12 +274,13 @@ class March {
 
 }  // namespace
 
-RunSummary run(const Problem& problem, const RunSettings& settings) {
-  refuse_if_too_large(problem);
-  const int threads = set_threads(problem);
+RunSummary run(const Problem& given, const RunSettings& settings) {
+  // The backend that was chosen stands in resolved.toml: another choice would give other last digits.
+  const Prepared prepared = prepare(given);
+  const Problem& problem = prepared.problem;
   Assembly assembly = assemble(problem);
   RunSummary summary;
-  summary.plan = make_plan(problem, assembly, threads);
+  summary.plan = make_plan(prepared, assembly);
   // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
   March march(problem, settings, assembly, summary);
   prepare_folder(settings);

@@ -16,7 +16,9 @@ struct Plan {
   std::size_t points = 0;        ///< points of the body; cut-away ones are not counted
   std::size_t bonds = 0;         ///< pairs of points that exchange heat, cut ones included
   std::size_t cut_bonds = 0;     ///< of them cut by the end of the run
-  std::string backend;           ///< "stencil" or "bond"
+  std::string backend;           ///< "stencil", "fft" or "bond"
+  std::string backend_reason;    ///< what it was chosen by, with times per evaluation
+  std::string precision;         ///< "double" or "single"
   std::string integrator;        ///< "rkl2", …
   double horizon = 0.0;          ///< [m]
   double spacing = 0.0;          ///< [m]
