@@ -138,14 +138,17 @@ class FourierSum final : public StencilSum {
   void sum(ConstField temperature, const RowSink& sink) const override {
     const int pairs = tiling_.pairs();
     const int threads = omp_get_max_threads();
-    // Either threads take whole pairs, or they work on one pair together: the inner loops are parallel only if the
-    // outer one is not. Every transform is made by one thread, so the bits are the same.
-    const bool apart = threads > 1 && pairs >= 2 * threads;
+    // Threads take whole pairs, or work on one pair together where there are few. Every transform is made by one thread
+    // in any case, so the bits are the same.
+    const bool apart = threads == 1 || pairs >= 2 * threads;
     while (apart && rooms_.size() < static_cast<std::size_t>(threads)) rooms_.emplace_back(layout_.pair);
-#pragma omp parallel for schedule(static) if (apart)
-    for (int pair = 0; pair < pairs; ++pair) {
-      const Pair tiles{tile(2 * pair, temperature), tile(2 * pair + 1, temperature)};
-      sum_pair(tiles, temperature, sink, rooms_[static_cast<std::size_t>(apart ? omp_get_thread_num() : 0)].data());
+    share(apart ? pairs : 0, true, [&](int pair) {
+      sum_pair({tile(2 * pair, temperature), tile(2 * pair + 1, temperature)}, temperature, sink, false,
+               rooms_[static_cast<std::size_t>(omp_get_thread_num())].data());
+    });
+    for (int pair = 0; pair < (apart ? 0 : pairs); ++pair) {
+      sum_pair({tile(2 * pair, temperature), tile(2 * pair + 1, temperature)}, temperature, sink, true,
+               rooms_[0].data());
     }
   }
 
@@ -210,23 +213,31 @@ class FourierSum final : public StencilSum {
     return base + sum / (samples * samples * samples);
   }
 
-  void sum_pair(const Pair& pair, ConstField temperature, const RowSink& sink, Complex* room) const {
-    if (dimension_ == 1) return sum_bars(pair, temperature, sink);
-    if (dimension_ == 2) {
-      const int bands = (tiling_.extent[1] + lanes - 1) / lanes;
-#pragma omp parallel for schedule(static)
-      for (int band = 0; band < bands; ++band) transform_band(band * lanes, 0, pair, temperature, room);
-      multiply(room);
-#pragma omp parallel for schedule(static)
-      for (int band = 0; band < bands; ++band) transform_band_back(band * lanes, 0, pair, sink, room);
+  /// Calls body(0 … count − 1), by several threads if `together`. A parallel region of one thread inside another one
+  /// would cost more than a small tile.
+  template <class Body>
+  static void share(int count, bool together, const Body& body) {
+    if (!together) {
+      for (int k = 0; k < count; ++k) body(k);
       return;
     }
 #pragma omp parallel for schedule(static)
-    for (int z = 0; z < tiling_.extent[2]; ++z) transform_plane(z, pair, temperature, room);
-    multiply(room);
+    for (int k = 0; k < count; ++k) body(k);
+  }
+
+  void sum_pair(const Pair& pair, ConstField temperature, const RowSink& sink, bool together, Complex* room) const {
+    if (dimension_ == 1) return sum_bars(pair, temperature, sink);
+    if (dimension_ == 2) {
+      const int bands = (tiling_.extent[1] + lanes - 1) / lanes;
+      share(bands, together, [&](int band) { transform_band(band * lanes, 0, pair, temperature, room); });
+      multiply(together, room);
+      share(bands, together, [&](int band) { transform_band_back(band * lanes, 0, pair, sink, room); });
+      return;
+    }
+    share(tiling_.extent[2], together, [&](int z) { transform_plane(z, pair, temperature, room); });
+    multiply(together, room);
     const int kept = std::max(pair[0].kept[2], pair[1].kept[2]);
-#pragma omp parallel for schedule(static)
-    for (int z = 0; z < kept; ++z) transform_plane_back(z + grid_.padding(2), pair, sink, room);
+    share(kept, together, [&](int z) { transform_plane_back(z + grid_.padding(2), pair, sink, room); });
   }
 
   void sum_bars(const Pair& pair, ConstField temperature, const RowSink& sink) const {
@@ -321,18 +332,17 @@ class FourierSum final : public StencilSum {
   }
 
   /// The last transform there, the symbol and the first one back, a few columns at a time.
-  void multiply(Complex* room) const {
+  void multiply(bool together, Complex* room) const {
     const int groups = (tiling_.extent[0] + lanes - 1) / lanes;
     const int rows = dimension_ == 3 ? tiling_.extent[1] : 1;
-#pragma omp parallel for schedule(static)
-    for (int n = 0; n < rows * groups; ++n) {
+    share(rows * groups, together, [&](int n) {
       Complex* const columns = workspace().columns.data();
       const int row = n / groups, first = n % groups * lanes;
       Complex* const from = dimension_ == 3 ? room + row * layout_.x_row + first : room + first * layout_.y_row;
       Transforms::run(plans_.column_there, from, columns);
       multiply_columns(columns, first, std::min(row, tiling_.extent[1] - row));
       Transforms::run(plans_.column_back, columns, from);
-    }
+    });
   }
 
   /// `first`: wave number along x of the first column; `row`: wave number along y in 3-D.
