@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -19,26 +18,24 @@ struct GoodLength {
 };
 constexpr GoodLength good_lengths[] = {{16, 1.48, 0.94}, {20, 1.60, 1.00}, {32, 1.28, 0.88},  {64, 1.12, 0.72},
                                        {80, 5.0, 3.5},   {96, 2.02, 1.66}, {112, 2.04, 2.26}, {128, 2.14, 1.36},
-                                       {160, 3.1, 2.36}, {200, 3.4, 2.6},  {240, 3.2, 2.36},  {256, 3.8, 2.18},
-                                       {320, 3.0, 1.80}, {400, 3.3, 2.16}, {512, 4.4, 2.66}};
+                                       {160, 3.1, 2.36}, {200, 3.4, 2.6},  {240, 3.8, 2.6},   {256, 4.2, 2.5},
+                                       {320, 4.7, 2.75}, {400, 5.3, 3.1},  {512, 5.5, 3.3}};
 /// Beyond the list: powers of two and five times those, with the time per doubling of the length.
-constexpr double full_per_doubling = 0.5, single_per_doubling = 0.3;
-/// What loading, multiplying and handing out takes per number and axis, and what a pair of tiles beyond the second
-/// cache adds [ns].
-constexpr double copying = 1.8, far = 3.0;
-constexpr double near_bytes = 3e6;
-/// Beyond this a pair of tiles is not worth its memory.
+constexpr double full_per_doubling = 0.65, single_per_doubling = 0.38;
+/// What loading and multiplying take per number and axis, and what handing out takes per point [ns].
+constexpr double copying = 1.0, per_point = 2.0;
+/// In 3-D: what columns that stand far apart add per number, for each entry of a length beyond 32 [ns].
+constexpr double far_apart[] = {0.03, 0.07, 0.11};
+/// Larger pairs of tiles are taken only where the horizon leaves no choice.
 constexpr double most_bytes = 64e6;
 
-/// The lengths that a tile of at least `least` entries may have: the three quickest choices are among the next few.
-std::vector<int> lengths_from(int least) {
+/// Lengths up to the first that is no less than `most`.
+std::vector<int> lengths_up_to(int most) {
   std::vector<int> lengths;
-  for (const GoodLength& good : good_lengths) {
-    if (good.length >= least && lengths.size() < 4) lengths.push_back(good.length);
-  }
-  for (int power = 512; lengths.empty(); power *= 2) {
-    if (power >= least) lengths.push_back(power);
-    if (power / 4 * 5 >= least) lengths.push_back(power / 4 * 5);
+  for (const GoodLength& good : good_lengths) lengths.push_back(good.length);
+  for (int power = 512; lengths.back() < most; power *= 2) {
+    lengths.push_back(power / 4 * 5);
+    lengths.push_back(power * 2);
   }
   return lengths;
 }
@@ -62,16 +59,17 @@ struct AxisTiles {
   int count, kept, extent;
 };
 
+/// The fewest tiles of each length; tiles that give less than they read beyond their ends are never the best.
 std::vector<AxisTiles> axis_tiles(const Grid& grid, int axis, int radius) {
   if (axis >= grid.dimension) return {{1, 1, 1}};
   const int length = grid.count(axis);
   std::vector<AxisTiles> ways;
-  for (int count = 1; count <= length; ++count) {
-    const int kept = (length + count - 1) / count;
-    // Tiles that give less than they read beyond their ends are never the best.
-    if (count > 1 && kept < radius) break;
-    if ((count - 1) * static_cast<std::int64_t>(kept) >= length) continue;
-    for (const int extent : lengths_from(kept + 2 * radius)) ways.push_back({count, kept, extent});
+  for (const int extent : lengths_up_to(length + 2 * radius)) {
+    const int room = extent - 2 * radius;
+    if (room < std::min(length, radius)) continue;
+    const int count = (length + room - 1) / room;
+    ways.push_back({count, (length + count - 1) / count, extent});
+    if (count == 1) break;
   }
   return ways;
 }
@@ -86,13 +84,14 @@ std::ptrdiff_t odd_multiple(std::ptrdiff_t length, std::ptrdiff_t unit) {
 }  // namespace
 
 double fourier_seconds(const FourierTiling& tiling, Precision precision) {
-  double ns = 0.0;
-  for (const int length : tiling.extent) {
+  double ns = 0.0, points = 2.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int length = tiling.extent[axis];
     if (length > 1) ns += 2.0 * transform_ns(length, precision) + copying;
+    if (tiling.extent[2] > 1) ns += far_apart[axis] * std::clamp(length - 32, 0, 96);
+    points *= tiling.kept[axis];
   }
-  const double share = precision == Precision::single ? 0.5 : 1.0;
-  if (2.0 * entries_of(tiling) * value_bytes(precision) > near_bytes) ns += far * share;
-  return tiling.pairs() * entries_of(tiling) * ns * 1e-9;
+  return tiling.pairs() * (entries_of(tiling) * ns + points * per_point) * 1e-9;
 }
 
 FourierTiling choose_fourier_tiling(const Grid& grid, int radius, Precision precision) {
@@ -100,15 +99,18 @@ FourierTiling choose_fourier_tiling(const Grid& grid, int radius, Precision prec
   for (int axis = 0; axis < 3; ++axis) axes[axis] = axis_tiles(grid, axis, radius);
   FourierTiling best;
   double least = std::numeric_limits<double>::infinity();
+  bool best_fits = false;
   for (const AxisTiles& x : axes[0]) {
     for (const AxisTiles& y : axes[1]) {
       for (const AxisTiles& z : axes[2]) {
         const FourierTiling tiling{
             {x.count, y.count, z.count}, {x.kept, y.kept, z.kept}, {x.extent, y.extent, z.extent}};
-        if (2.0 * entries_of(tiling) * value_bytes(precision) > most_bytes) continue;
+        const bool fits = 2.0 * entries_of(tiling) * value_bytes(precision) <= most_bytes;
         const double seconds = fourier_seconds(tiling, precision);
-        if (seconds < least) best = tiling;
-        least = std::min(seconds, least);
+        if (best_fits > fits || (best_fits == fits && seconds >= least)) continue;
+        best = tiling;
+        best_fits = fits;
+        least = seconds;
       }
     }
   }
