@@ -23,9 +23,16 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/peritherm/simulation/toml_
 
 # Instruction sets: x86-64 takes the real files, every other processor their neighbours *_unavailable.cpp.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-  list(FILTER sources EXCLUDE REGEX "_unavailable\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_kernel_unavailable\\.cpp$")
 else()
   list(FILTER sources EXCLUDE REGEX "_(avx2|avx512)\\.cpp$")
+endif()
+
+# Optional libraries: the real file, or its neighbour that says how to get it.
+if(TARGET PkgConfig::fftw)
+  list(FILTER sources EXCLUDE REGEX "/fourier_sum_unavailable\\.cpp$")
+else()
+  list(FILTER sources EXCLUDE REGEX "/fourier_sum\\.cpp$")
 endif()
 
 # Contraction to fused multiply-adds is allowed where it pays and nowhere else, so that all other code gives the same
@@ -60,3 +67,6 @@ target_link_libraries(
   peritherm
   PRIVATE $<BUILD_INTERFACE:peritherm_options> $<BUILD_INTERFACE:peritherm_toml> OpenMP::OpenMP_CXX ZLIB::ZLIB fmt::fmt
           nlohmann_json::nlohmann_json muparser::muparser PkgConfig::cairo)
+if(TARGET PkgConfig::fftw)
+  target_link_libraries(peritherm PRIVATE PkgConfig::fftw)
+endif()

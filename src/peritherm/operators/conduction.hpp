@@ -11,6 +11,7 @@
 #include "peritherm/discretisation/damage.hpp"
 #include "peritherm/discretisation/held_points.hpp"
 #include "peritherm/operators/combination.hpp"
+#include "peritherm/operators/stencil_sum.hpp"
 
 namespace peritherm {
 
@@ -90,23 +91,29 @@ class ConductionOperator {
 };
 
 /// Sparse rows, for points of any arrangement.
-/// `entries`: where each owned point stands in a field; `inverse_capacities`: 1/C [K/J], 0 if held.
+/// `entries`: where each owned point stands in a field; `inverse_capacities`: 1/C [K/J], 0 if held. In single precision
+/// the conductances are rounded to float; both ends of a bond see the same, so heat is conserved as in double.
 std::unique_ptr<ConductionOperator> make_bond_operator(Bonds bonds, std::vector<std::int64_t> entries,
-                                                       std::vector<double> inverse_capacities, std::size_t field_size);
+                                                       std::vector<double> inverse_capacities, std::size_t field_size,
+                                                       Precision precision = Precision::full);
 
 /// One stencil for all points of a grid and sparse corrections.
-/// `kernel`: index into available_kernels(); all give the same sums to rounding.
+/// `kernel`: index into available_kernels(); all give the same sums to rounding. `uniform`: how the stencil's sum is
+/// evaluated; by default directly and in double precision.
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
                                                           const Stencil& stencil, const HeldPoints& held_by,
-                                                          std::size_t kernel = 0);
+                                                          std::size_t kernel = 0,
+                                                          std::unique_ptr<StencilSum> uniform = nullptr);
 
 /// How conduction is evaluated; the list.
-enum class BackendName { automatic, stencil, bond };
+enum class BackendName { automatic, stencil, fourier, bond };
 
 template <>
 struct EnumNames<BackendName> {
-  static constexpr std::array<std::pair<BackendName, std::string_view>, 3> values{
-      {{BackendName::automatic, "auto"}, {BackendName::stencil, "stencil"}, {BackendName::bond, "bond"}}};
+  static constexpr std::array<std::pair<BackendName, std::string_view>, 4> values{{{BackendName::automatic, "auto"},
+                                                                                   {BackendName::stencil, "stencil"},
+                                                                                   {BackendName::fourier, "fft"},
+                                                                                   {BackendName::bond, "bond"}}};
 };
 
 }  // namespace peritherm

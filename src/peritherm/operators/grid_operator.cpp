@@ -16,10 +16,10 @@ namespace {
 class GridOperator final : public ConductionOperator {
  public:
   GridOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil, const HeldPoints& held_by,
-               std::size_t kernel)
+               std::size_t kernel, std::unique_ptr<StencilSum> uniform)
       : layout_(layout),
         stencil_(stencil),
-        uniform_(make_direct_sum(layout, stencil, kernel)),
+        uniform_(uniform ? std::move(uniform) : make_direct_sum(layout, stencil, kernel)),
         kernels_(available_kernels().at(kernel)),
         runs_(make_row_runs(body, held_by)),
         corrections_(make_corrections(body, layout, stencil, held_by, kernels_.name)) {
@@ -258,8 +258,8 @@ class GridOperator final : public ConductionOperator {
 
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
                                                           const Stencil& stencil, const HeldPoints& held_by,
-                                                          std::size_t kernel) {
-  return std::make_unique<GridOperator>(body, layout, stencil, held_by, kernel);
+                                                          std::size_t kernel, std::unique_ptr<StencilSum> uniform) {
+  return std::make_unique<GridOperator>(body, layout, stencil, held_by, kernel, std::move(uniform));
 }
 
 }  // namespace peritherm

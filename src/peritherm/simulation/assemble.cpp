@@ -7,6 +7,8 @@
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/discretisation/row_intervals.hpp"
+#include "peritherm/operators/fourier_sum.hpp"
+#include "peritherm/simulation/backend_choice.hpp"
 #include "peritherm/simulation/check.hpp"
 
 namespace peritherm {
@@ -185,7 +187,8 @@ std::vector<ConductionOperator::Stretch> find_near_held(const Geometry& geometry
   return stretches;
 }
 
-std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, const PaddedGrid& layout) {
+std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, const PaddedGrid& layout,
+                                                      Precision precision) {
   const Body& body = geometry.body;
   const Points points = make_points(body, layout);
   const StencilOptions& options = geometry.stencil_options;
@@ -217,7 +220,15 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
   std::vector<std::int64_t> owned(points.entries.begin(),
                                   points.entries.begin() + static_cast<std::ptrdiff_t>(points.owned));
   return make_bond_operator(make_bonds(points, options, calibration, BondTracer(body), partner), std::move(owned),
-                            std::move(inverse_capacities), layout.size());
+                            std::move(inverse_capacities), layout.size(), precision);
+}
+
+std::unique_ptr<ConductionOperator> make_grid_backend(const Geometry& geometry, const PaddedGrid& layout,
+                                                      BackendName backend, Precision precision) {
+  constexpr std::size_t kernel = 0;
+  auto uniform = backend == BackendName::fourier ? make_fourier_sum(layout, geometry.stencil, precision)
+                                                 : make_direct_sum(layout, geometry.stencil, kernel, precision);
+  return make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by, kernel, std::move(uniform));
 }
 
 /// Every bond conducts at most as the best material does, and every point stores at least as the poorest.
@@ -272,14 +283,10 @@ Geometry make_geometry(const Problem& problem) {
   return geometry;
 }
 
-BackendName choose_backend(const Problem& problem) {
-  return problem.numerics.backend == BackendName::bond ? BackendName::bond : BackendName::stencil;
-}
-
 Assembly assemble(const Problem& problem) {
   Geometry geometry = make_geometry(problem);
   const PaddedGrid layout(geometry.body.grid, geometry.stencil.radius);
-  const BackendName backend = choose_backend(problem);
+  const BackendName backend = expect_backend(problem, geometry.stencil, 1).backend;
   HeatSystemParts parts;
   std::vector<bool> depends_on_place;
   for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
@@ -300,8 +307,8 @@ Assembly assemble(const Problem& problem) {
   parts.spectral_bound = spectral_bound(geometry);
   parts.bound_is_sharp = parts.spectral_bound > 0.0 && geometry.body.regions.empty();
   parts.conduction = backend == BackendName::bond
-                         ? make_bond_backend(geometry, layout)
-                         : make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by);
+                         ? make_bond_backend(geometry, layout, problem.numerics.precision)
+                         : make_grid_backend(geometry, layout, backend, problem.numerics.precision);
   return {std::move(geometry), layout, backend, std::make_unique<HeatSystem>(std::move(parts))};
 }
 

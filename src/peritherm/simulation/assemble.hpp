@@ -43,17 +43,15 @@ struct Geometry {
 /// The problem must have passed `check`.
 Geometry make_geometry(const Problem& problem);
 
-/// "stencil" or "bond".
-BackendName choose_backend(const Problem& problem);
-
 /// What a run works with.
 struct Assembly {
   Geometry geometry;
   PaddedGrid layout;
-  BackendName backend;
+  BackendName backend;  ///< never automatic
   std::unique_ptr<HeatSystem> system;
 };
 
+/// Where the problem leaves the backend open, the cost model decides; see choose_backend for a choice by measurement.
 Assembly assemble(const Problem& problem);
 
 /// State at time 0: initial temperatures, no heat passed.

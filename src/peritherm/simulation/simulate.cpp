@@ -286,13 +286,14 @@ class March {
 
 }  // namespace
 
-RunSummary run(const Problem& problem, const RunSettings& settings) {
-  refuse_if_too_large(problem);
-  const int threads = set_threads(problem);
+RunSummary run(const Problem& given, const RunSettings& settings) {
+  // The backend that was chosen stands in resolved.toml: another choice would give other last digits.
+  const Prepared prepared = prepare(given);
+  const Problem& problem = prepared.problem;
   Assembly assembly = assemble(problem);
   RunSummary summary;
   const ChosenStepping chosen = choose_stepping(problem.time.integrator, *assembly.system, 0.0, march_times(problem));
-  summary.plan = make_plan(problem, assembly, chosen, threads);
+  summary.plan = make_plan(prepared, assembly, chosen);
   // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
   March march(problem, settings, chosen.stepping, assembly, summary);
   prepare_folder(settings);
