@@ -82,11 +82,31 @@ struct RungeKuttaLegendre {
   bool operator==(const RungeKuttaLegendre&) const = default;
 };
 
-using TimeStepping = std::variant<RungeKuttaLegendre, RungeKutta4, ForwardEuler>;  ///< the list
+/// The steady state at the end of the run, solved for by conjugate gradients; nothing is marched. Loads must not depend
+/// on time; growing cracks stand as they do at the end. Each part of the body that nothing holds keeps its heat.
+struct SteadyState {
+  double relative_tolerance = 1e-10;  ///< estimated error (rms) over the span of temperatures
+  int most_iterations = 100000;
+  static constexpr double stability = 2.0;  ///< of forward Euler, for comparison; nothing is marched
+  static constexpr int states = 6;
+  static constexpr std::string_view name = "steady";
+  static constexpr std::string_view help = "the steady state, by conjugate gradients; written once, at the end";
+  static constexpr auto options() {
+    return std::tuple{optional("relative_tolerance", &SteadyState::relative_tolerance, "",
+                               Check{[](double v) { return v >= 1e-14 && v <= 0.1; }, "must lie between 1e-14 and 0.1"},
+                               "estimated error (rms), relative to the span of temperatures"),
+                      optional("most_iterations", &SteadyState::most_iterations, "", positive,
+                               "number of iterations after which the search is given up")};
+  }
+  bool operator==(const SteadyState&) const = default;
+};
+
+using TimeStepping = std::variant<RungeKuttaLegendre, RungeKutta4, ForwardEuler, SteadyState>;  ///< the list
 
 std::unique_ptr<TimeIntegrator> make_integrator(const ForwardEuler& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const RungeKutta4& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const RungeKuttaLegendre& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const SteadyState& options, ThermalSystem& system);
 inline std::unique_ptr<TimeIntegrator> make_integrator(const TimeStepping& options, ThermalSystem& system) {
   return std::visit([&](const auto& chosen) { return make_integrator(chosen, system); }, options);
 }

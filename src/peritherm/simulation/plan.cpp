@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "peritherm/base/error.hpp"
@@ -51,6 +52,20 @@ double growth_evaluations(const Problem& problem, double spacing, double toleran
   return 210.0 * passed * std::pow(1e-4 / tolerance, 0.35);
 }
 
+/// Conjugate gradients need half the root of the condition number for each factor e of accuracy, twice; the slowest
+/// decay is that of a bar as long as the box and insulated at one end.
+double steady_evaluations(const Problem& problem, double fastest_rate, double tolerance) {
+  const Grid grid = make_grid(problem);
+  double length = 0.0;
+  for (int axis = 0; axis < grid.dimension; ++axis) length = std::max(length, grid.length(axis));
+  double diffusivity = 0.0;
+  for (const auto& [name, material] : problem.materials) {
+    diffusivity = std::max(diffusivity, material.conductivity / volumetric_heat_capacity(material));
+  }
+  const double slowest_rate = diffusivity * std::pow(0.5 * std::numbers::pi / length, 2);
+  return 10.0 + 0.5 * std::sqrt(fastest_rate / slowest_rate) * std::log(2.0 / tolerance);
+}
+
 double bytes_of_fields(const Grid& grid, int radius, int states) {
   double padded = 1.0;
   for (int axis = 0; axis < grid.dimension; ++axis) padded *= grid.count(axis) + 2.0 * radius;
@@ -96,6 +111,8 @@ void estimate_costs(const Problem& problem, double fastest_rate, const Stencil& 
         if constexpr (requires { chosen.step; }) {
           plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
           plan.evaluations = std::ceil(end / plan.step) * chosen.stages;
+        } else if constexpr (requires { chosen.most_iterations; }) {
+          plan.evaluations = steady_evaluations(problem, fastest_rate, chosen.relative_tolerance);
         } else {
           plan.evaluations = rkl2_evaluations(fastest_rate * end, chosen.relative_tolerance) +
                              growth_evaluations(problem, plan.spacing, chosen.relative_tolerance);
