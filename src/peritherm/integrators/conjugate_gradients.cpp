@@ -7,8 +7,10 @@
 namespace peritherm {
 namespace {
 
-/// Looking at the goal costs about as much as an iteration, so that this share of iterations more is no loss.
-constexpr std::size_t looks_per_doubling = 50;
+/// Looking at the goal costs about as much as an iteration once there are many of them; this share more is no loss.
+constexpr std::size_t iterations_per_look = 50;
+/// The slowest rate over the loss rates is above the inverse of this, unless the direction holds nothing but rounding.
+constexpr double longest = 1e12;
 
 /// Are all eigenvalues above x? They are if no pivot of the factorisation is negative.
 bool all_above(double x, const std::vector<double>& lengths, const std::vector<double>& shares) {
@@ -86,12 +88,12 @@ ConjugateGradients::End ConjugateGradients::improve(Field temperature, Field res
   lengths_.clear();
   shares_.clear();
   double square = system_.heat_product(residual, image_);
-  std::size_t next_look = 4;
+  std::size_t next_look = 1;
   while (square != 0.0) {
     if (iterations_ >= most_iterations) return End::out_of_iterations;
     system_.combine_linear(-1, direction_, -1.0, {}, image_);
     const double curvature = system_.heat_product(direction_, image_);
-    if (!(curvature > 0.0)) return End::out_of_digits;
+    if (!(square < longest * curvature)) return End::out_of_digits;
     lengths_.push_back(square / curvature);
     step(lengths_.back(), temperature, residual);
     ++iterations_;
@@ -101,7 +103,7 @@ ConjugateGradients::End ConjugateGradients::improve(Field temperature, Field res
       const double ritz = smallest_ritz_value(lengths_, shares_);
       slowest_ = slowest_ > 0.0 ? std::min(slowest_, ritz) : ritz;
       if (error_of(square) <= goal(temperature)) return End::converged;
-      next_look = lengths_.size() + std::max<std::size_t>(4, lengths_.size() / looks_per_doubling);
+      next_look = lengths_.size() + 1 + lengths_.size() / iterations_per_look;
     }
     shares_.push_back(square / before);
     turn(shares_.back());
