@@ -23,10 +23,18 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/peritherm/simulation/toml_
 
 # Instruction sets: x86-64 takes the real files, every other processor their neighbours *_unavailable.cpp.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-  list(FILTER sources EXCLUDE REGEX "_unavailable\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/stencil_kernel_unavailable\\.cpp$")
 else()
   list(FILTER sources EXCLUDE REGEX "_(avx2|avx512)\\.cpp$")
 endif()
+
+# Optional libraries: their files, or the neighbours that say what is missing.
+if(PERITHERM_HAS_SUNDIALS)
+  list(FILTER sources EXCLUDE REGEX "/sundials_unavailable\\.cpp$")
+else()
+  list(FILTER sources EXCLUDE REGEX "/sundials_(arkode|cvode|linear_solver|march)\\.cpp$")
+endif()
+list(FILTER headers EXCLUDE REGEX "/sundials_[a-z_]+\\.hpp$")
 
 # Contraction to fused multiply-adds is allowed where it pays and nowhere else, so that all other code gives the same
 # bits on every processor.
@@ -56,3 +64,6 @@ target_link_libraries(
   peritherm
   PRIVATE $<BUILD_INTERFACE:peritherm_options> $<BUILD_INTERFACE:peritherm_toml> OpenMP::OpenMP_CXX ZLIB::ZLIB fmt::fmt
           nlohmann_json::nlohmann_json muparser::muparser PkgConfig::cairo)
+if(PERITHERM_HAS_SUNDIALS)
+  target_link_libraries(peritherm PRIVATE $<BUILD_INTERFACE:peritherm_sundials>)
+endif()

@@ -101,12 +101,81 @@ struct SteadyState {
   bool operator==(const SteadyState&) const = default;
 };
 
-using TimeStepping = std::variant<RungeKuttaLegendre, RungeKutta4, ForwardEuler, SteadyState>;  ///< the list
+/// What the conjugate gradients of an implicit step are preconditioned with.
+enum class ImplicitPreconditioner { none, jacobi };
+
+template <>
+struct EnumNames<ImplicitPreconditioner> {
+  static constexpr std::array<std::pair<ImplicitPreconditioner, std::string_view>, 2> values{
+      {{ImplicitPreconditioner::none, "none"}, {ImplicitPreconditioner::jacobi, "jacobi"}}};
+};
+
+inline constexpr Check implicit_tolerance{[](double v) { return v >= 1e-12 && v <= 0.1; },
+                                          "must lie between 1e-12 and 0.1"};
+
+/// What the two implicit integrators of SUNDIALS have in common.
+struct ImplicitOptions {
+  double relative_tolerance = 1e-5;  ///< error per step (rms) over the span of temperatures
+  double absolute_tolerance = 0.0;   ///< allowed on top [K]
+  ImplicitPreconditioner preconditioner = ImplicitPreconditioner::none;
+  static constexpr double stability = 2.0;  ///< of forward Euler, for comparison
+  bool operator==(const ImplicitOptions&) const = default;
+};
+
+/// Backward differentiation formulas of order 1 to 5 with variable steps, by CVODE [hindmarsh2005]. Bodies whose cracks
+/// grow are refused.
+struct BackwardDifferences : ImplicitOptions {
+  int order = 5;
+  static constexpr int states = 20;
+  static constexpr std::string_view name = "cvode";
+  static constexpr std::string_view help = "implicit multistep of variable order, by SUNDIALS; for long runs";
+  static constexpr auto options() {
+    using Own = BackwardDifferences;
+    return std::tuple{
+        optional<Own, double>("relative_tolerance", &Own::relative_tolerance, "", implicit_tolerance,
+                              "error per step (rms), relative to the span of temperatures"),
+        optional<Own, double>("absolute_tolerance", &Own::absolute_tolerance, "K", not_negative,
+                              "error per step (rms) allowed on top"),
+        optional("order", &Own::order, "", Check{[](double v) { return v >= 1 && v <= 5; }, "must lie between 1 and 5"},
+                 "highest order"),
+        optional<Own, ImplicitPreconditioner>(
+            "preconditioner", &Own::preconditioner,
+            "of the conjugate gradients: none, or jacobi for contrasts of materials")};
+  }
+  bool operator==(const BackwardDifferences&) const = default;
+};
+
+/// Diagonally implicit Runge-Kutta methods of order 2 to 5 with error control, by ARKODE [reynolds2023]. Bodies whose
+/// cracks grow are refused.
+struct ImplicitRungeKutta : ImplicitOptions {
+  int order = 4;
+  static constexpr int states = 20;
+  static constexpr std::string_view name = "arkode";
+  static constexpr std::string_view help = "implicit Runge-Kutta, by SUNDIALS; for long runs with jumps";
+  static constexpr auto options() {
+    using Own = ImplicitRungeKutta;
+    return std::tuple{optional<Own, double>("relative_tolerance", &Own::relative_tolerance, "", implicit_tolerance,
+                                            "error per step (rms), relative to the span of temperatures"),
+                      optional<Own, double>("absolute_tolerance", &Own::absolute_tolerance, "K", not_negative,
+                                            "error per step (rms) allowed on top"),
+                      optional("order", &Own::order, "",
+                               Check{[](double v) { return v >= 2 && v <= 5; }, "must lie between 2 and 5"}, "order"),
+                      optional<Own, ImplicitPreconditioner>(
+                          "preconditioner", &Own::preconditioner,
+                          "of the conjugate gradients: none, or jacobi for contrasts of materials")};
+  }
+  bool operator==(const ImplicitRungeKutta&) const = default;
+};
+
+using TimeStepping = std::variant<RungeKuttaLegendre, RungeKutta4, ForwardEuler, SteadyState, BackwardDifferences,
+                                  ImplicitRungeKutta>;  ///< the list
 
 std::unique_ptr<TimeIntegrator> make_integrator(const ForwardEuler& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const RungeKutta4& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const RungeKuttaLegendre& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const SteadyState& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const BackwardDifferences& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const ImplicitRungeKutta& options, ThermalSystem& system);
 inline std::unique_ptr<TimeIntegrator> make_integrator(const TimeStepping& options, ThermalSystem& system) {
   return std::visit([&](const auto& chosen) { return make_integrator(chosen, system); }, options);
 }
