@@ -1,7 +1,6 @@
 #include "peritherm/integrators/sundials_linear_solver.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace peritherm {
@@ -11,17 +10,11 @@ constexpr int most_linear_iterations = 5000;
 
 struct HeatSolver {
   SundialsSystem& system;
-  std::array<N_Vector, 4> work{};  ///< residual, preconditioned residual, direction, its image
-  SUNATimesFn multiply = nullptr;
-  void* multiply_data = nullptr;
-  SUNPSolveFn precondition = nullptr;
-  void* precondition_data = nullptr;
+  std::vector<double> residual, preconditioned, direction, image;
   int iterations = 0;
-  double residual = 0.0;
+  double norm = 0.0;
 
-  std::size_t size() const { return system.system.size(); }
-  Field values(N_Vector vector) const { return {N_VGetArrayPointer(vector), size()}; }
-  double product(N_Vector a, N_Vector b) const { return system.system.heat_product(values(a), values(b)); }
+  double product(ConstField a, ConstField b) const { return system.system.heat_product(a, b); }
   /// In the measure of the integrator's tolerance: Σ over free points of (weight · value)², as a root.
   double norm_of(double square) const {
     return system.weight * std::sqrt(square * system.free_points / system.capacity);
@@ -32,100 +25,95 @@ HeatSolver& content(SUNLinearSolver solver) { return *static_cast<HeatSolver*>(s
 
 SUNLinearSolver_Type type_of_solver(SUNLinearSolver) { return SUNLINEARSOLVER_ITERATIVE; }
 SUNLinearSolver_ID id_of_solver(SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; }
-int set_multiply(SUNLinearSolver solver, void* data, SUNATimesFn multiply) {
-  content(solver).multiply = multiply;
-  content(solver).multiply_data = data;
-  return SUNLS_SUCCESS;
-}
-int set_precondition(SUNLinearSolver solver, void* data, SUNPSetupFn, SUNPSolveFn precondition) {
-  content(solver).precondition = precondition;
-  content(solver).precondition_data = data;
-  return SUNLS_SUCCESS;
-}
-/// The weights are known; with scaling at hand, SUNDIALS states its tolerance in terms of them.
+/// The solver evaluates by itself; SUNDIALS asks for these of every solver that iterates.
+int ignore_multiply(SUNLinearSolver, void*, SUNATimesFn) { return SUNLS_SUCCESS; }
 int ignore_scaling(SUNLinearSolver, N_Vector, N_Vector) { return SUNLS_SUCCESS; }
 int count_of_iterations(SUNLinearSolver solver) { return content(solver).iterations; }
-double norm_of_residual(SUNLinearSolver solver) { return content(solver).residual; }
+double norm_of_residual(SUNLinearSolver solver) { return content(solver).norm; }
 int do_nothing(SUNLinearSolver) { return SUNLS_SUCCESS; }
 int set_up_nothing(SUNLinearSolver, SUNMatrix) { return SUNLS_SUCCESS; }
 
 int free_solver(SUNLinearSolver solver) {
-  for (const N_Vector vector : content(solver).work) N_VDestroy(vector);
   delete &content(solver);
   solver->content = nullptr;
   SUNLinSolFreeEmpty(solver);
   return SUNLS_SUCCESS;
 }
 
-/// preconditioned = P⁻¹ residual, 0 outside of the body and for the accounts.
-int apply_preconditioner(HeatSolver& own, double tolerance) {
-  const auto [r, z, p, q] = own.work;
-  if (own.precondition != nullptr && own.precondition(own.precondition_data, r, z, tolerance, 1) != 0) {
-    return SUNLS_PSOLVE_FAIL_UNREC;
-  }
-  const Field from = own.values(own.precondition != nullptr ? z : r), to = own.values(z);
-  const auto count = static_cast<std::ptrdiff_t>(own.size());
-#pragma omp parallel for simd schedule(static)
-  for (std::ptrdiff_t n = 0; n < count; ++n) to[n] = own.system.body[n] * from[n];
-  return SUNLS_SUCCESS;
-}
-
-void move_along(HeatSolver& own, double length, N_Vector solution) {
-  const auto [r, z, p, q] = own.work;
-  const Field x = own.values(solution), residual = own.values(r), direction = own.values(p), image = own.values(q);
-  const auto count = static_cast<std::ptrdiff_t>(own.size());
+/// preconditioned = residual / (1 + γ · loss rate); 0 outside of the body and for the accounts.
+void precondition(HeatSolver& own, double gamma) {
+  const auto count = static_cast<std::ptrdiff_t>(own.residual.size());
+  const double* const body = own.system.body.data();
+  const double* const loss_rates = own.system.loss_rates.data();
 #pragma omp parallel for simd schedule(static)
   for (std::ptrdiff_t n = 0; n < count; ++n) {
-    x[n] += length * own.system.body[n] * direction[n];
-    residual[n] -= length * image[n];
+    own.preconditioned[n] = body[n] * own.residual[n] / (1.0 + gamma * loss_rates[n]);
+  }
+}
+
+/// direction = values + share · direction, within the body.
+void turn(HeatSolver& own, ConstField values, double share) {
+  const auto count = static_cast<std::ptrdiff_t>(values.size());
+  const double* const body = own.system.body.data();
+#pragma omp parallel for simd schedule(static)
+  for (std::ptrdiff_t n = 0; n < count; ++n) own.direction[n] = body[n] * (values[n] + share * own.direction[n]);
+}
+
+void move_along(HeatSolver& own, double length, Field solution) {
+  const auto count = static_cast<std::ptrdiff_t>(solution.size());
+  const double* const body = own.system.body.data();
+#pragma omp parallel for simd schedule(static)
+  for (std::ptrdiff_t n = 0; n < count; ++n) {
+    solution[n] += length * body[n] * own.direction[n];
+    own.residual[n] -= length * own.image[n];
   }
 }
 
 /// Accounts stand in their own rows as 1, so what is left of their residual is what they lack.
-void complete_accounts(HeatSolver& own, N_Vector solution) {
-  const Field x = own.values(solution), residual = own.values(own.work[0]);
-  for (std::size_t n = own.system.system.field_size(); n < own.size(); ++n) x[n] += residual[n];
+void complete_accounts(const HeatSolver& own, Field solution) {
+  for (std::size_t n = own.system.system.field_size(); n < solution.size(); ++n) solution[n] += own.residual[n];
 }
 
-int solve_for_step(SUNLinearSolver solver, SUNMatrix, N_Vector solution, N_Vector right, double tolerance) {
+int solve_for_step(SUNLinearSolver solver, SUNMatrix, N_Vector result, N_Vector right, double tolerance) {
   HeatSolver& own = content(solver);
-  const auto [r, z, p, q] = own.work;
-  own.iterations = 0;
-  N_VConst(0.0, solution);
-  N_VScale(1.0, right, r);
-  double before = 0.0;
-  const double start = own.norm_of(own.product(r, r));
-  for (own.residual = start; own.residual > tolerance; ++own.iterations) {
-    if (own.iterations == most_linear_iterations || !std::isfinite(own.residual)) break;
-    if (apply_preconditioner(own, tolerance) != SUNLS_SUCCESS) return SUNLS_PSOLVE_FAIL_UNREC;
-    const double square = own.product(r, z);
-    N_VLinearSum(1.0, z, own.iterations == 0 ? 0.0 : square / before, p, p);
+  const Field solution(N_VGetArrayPointer(result), own.residual.size());
+  const double gamma = own.system.current_gamma();
+  const bool preconditions = !own.system.loss_rates.empty();
+  std::fill(solution.begin(), solution.end(), 0.0);
+  std::copy_n(N_VGetArrayPointer(right), own.residual.size(), own.residual.begin());
+  double plain = own.product(own.residual, own.residual), before = 0.0;
+  const double start = own.norm_of(plain);
+  own.norm = start;
+  for (own.iterations = 0; own.norm > tolerance; ++own.iterations) {
+    if (own.iterations == most_linear_iterations || !std::isfinite(own.norm)) break;
+    if (preconditions) precondition(own, gamma);
+    const std::vector<double>& values = preconditions ? own.preconditioned : own.residual;
+    const double square = preconditions ? own.product(own.residual, values) : plain;
+    turn(own, values, own.iterations == 0 ? 0.0 : square / before);
     before = square;
-    if (own.multiply(own.multiply_data, p, q) != 0) return SUNLS_ATIMES_FAIL_UNREC;
-    const double curvature = own.product(p, q);
+    const Term itself[] = {{1.0, own.direction.data()}};
+    own.system.system.combine_linear(-1, own.direction, -gamma, itself, own.image);
+    ++own.system.evaluations;
+    const double curvature = own.product(own.direction, own.image);
     if (!(curvature > 0.0)) break;
     move_along(own, square / curvature, solution);
-    own.residual = own.norm_of(own.product(r, r));
+    plain = own.product(own.residual, own.residual);
+    own.norm = own.norm_of(plain);
   }
   complete_accounts(own, solution);
-  if (own.residual <= tolerance) return SUNLS_SUCCESS;
-  return own.residual < start ? SUNLS_RES_REDUCED : SUNLS_CONV_FAIL;
+  if (own.norm <= tolerance) return SUNLS_SUCCESS;
+  return own.norm < start ? SUNLS_RES_REDUCED : SUNLS_CONV_FAIL;
 }
 
 }  // namespace
 
-SUNLinearSolver make_heat_solver(SundialsSystem& system, N_Vector like, SUNContext context) {
+SUNLinearSolver make_heat_solver(SundialsSystem& system, SUNContext context) {
   SUNLinearSolver solver = SUNLinSolNewEmpty(context);
-  auto* own = new HeatSolver{system};
-  for (N_Vector& vector : own->work) {
-    vector = N_VClone(like);
-    N_VConst(0.0, vector);
-  }
-  solver->content = own;
+  const std::vector<double> zeros(system.system.size(), 0.0);
+  solver->content = new HeatSolver{system, zeros, zeros, zeros, zeros};
   solver->ops->gettype = type_of_solver;
   solver->ops->getid = id_of_solver;
-  solver->ops->setatimes = set_multiply;
-  solver->ops->setpreconditioner = set_precondition;
+  solver->ops->setatimes = ignore_multiply;
   solver->ops->setscalingvectors = ignore_scaling;
   solver->ops->initialize = do_nothing;
   solver->ops->setup = set_up_nothing;

@@ -2,6 +2,7 @@
 
 #include <sundials/sundials_linearsolver.h>
 
+#include <functional>
 #include <vector>
 
 #include "peritherm/system/thermal_system.hpp"
@@ -14,12 +15,15 @@ struct SundialsSystem {
   std::vector<double> body;  ///< 1 for entries that hold a point of the body, 0 for others
   double weight = 0.0;       ///< of errors, the same for all free points [1/K]
   double free_points = 0.0;
-  double capacity = 0.0;  ///< Σ C [J/K]
+  double capacity = 0.0;                  ///< Σ C [J/K]
+  std::vector<double> loss_rates;         ///< to precondition with [1/s]; empty: not at all
+  std::function<double()> current_gamma;  ///< γ of the step that is being solved [s]
+  long evaluations = 0;                   ///< of the linear part
 };
 
-/// Conjugate gradients for (I − γ A) x = b in the heat product, in which the matrix is symmetric whatever the
-/// materials; N_Vector's plain product would not do. Heat accounts follow from x at the end, so that they balance the
-/// heat stored up to what is left of the residual.
-SUNLinearSolver make_heat_solver(SundialsSystem& system, N_Vector like, SUNContext context);
+/// Conjugate gradients for (I − γ A) x = b, with the sweep that evaluates A fused, in the heat product, in which the
+/// matrix is symmetric whatever the materials; N_Vector's plain product would not do. Heat accounts follow from x at
+/// the end, so that they balance the heat stored up to what is left of the residual.
+SUNLinearSolver make_heat_solver(SundialsSystem& system, SUNContext context);
 
 }  // namespace peritherm

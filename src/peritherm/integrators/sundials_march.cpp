@@ -26,11 +26,11 @@ SundialsMarch::SundialsMarch(std::string_view name, const ImplicitOptions& optio
     : name_(name),
       options_(options),
       system_(system),
-      shared_{system, std::vector<double>(system.size(), 0.0)},
+      shared_{system, std::vector<double>(system.size(), 0.0), 0.0, 0.0, 0.0, {}, {}, 0},
       loss_rates_(system.size(), 0.0),
       context_(make_context()),
       state_(N_VNew_OpenMP(static_cast<sunindextype>(system.size()), omp_get_max_threads(), context_.get())),
-      solver_(make_heat_solver(shared_, state_.get(), context_.get())) {
+      solver_(make_heat_solver(shared_, context_.get())) {
   find_free_points();
 }
 
@@ -45,6 +45,8 @@ void SundialsMarch::find_free_points() {
   system_.combine_linear(-1, second, 0.0, ones, shared_.body);
   std::fill(shared_.body.begin() + static_cast<std::ptrdiff_t>(system_.field_size()), shared_.body.end(), 0.0);
   shared_.capacity = system_.heat_product(first, first);
+  if (options_.preconditioner == ImplicitPreconditioner::jacobi) shared_.loss_rates = loss_rates_;
+  shared_.current_gamma = [this] { return gamma(); };
 }
 
 int SundialsMarch::rate(double time, N_Vector y, N_Vector result, void* self) {
@@ -58,14 +60,6 @@ int SundialsMarch::rate(double time, N_Vector y, N_Vector result, void* self) {
     own.failure_ = std::current_exception();
     return -1;
   }
-  return 0;
-}
-
-int SundialsMarch::linear_part(N_Vector v, N_Vector result, double, N_Vector, N_Vector, void* self, N_Vector) {
-  auto& own = *static_cast<SundialsMarch*>(self);
-  ++own.count_.evaluations;
-  N_VConst(0.0, result);
-  own.system_.combine_linear(-1, own.values(v), 1.0, {}, own.values(result));
   return 0;
 }
 
@@ -85,16 +79,6 @@ int SundialsMarch::weights(N_Vector y, N_Vector result, void* self) {
   const Field weight = own.values(result);
   for (std::size_t n = 0; n < weight.size(); ++n) weight[n] = own.loss_rates_[n] > 0.0 ? scaled : 0.0;
   return std::isfinite(scaled) ? 0 : -1;
-}
-
-int SundialsMarch::precondition(double, N_Vector, N_Vector, N_Vector r, N_Vector z, double gamma, double, int,
-                                void* self) {
-  auto& own = *static_cast<SundialsMarch*>(self);
-  const Field from = own.values(r), to = own.values(z);
-  const auto count = static_cast<std::ptrdiff_t>(from.size());
-#pragma omp parallel for simd schedule(static)
-  for (std::ptrdiff_t n = 0; n < count; ++n) to[n] = from[n] / (1.0 + gamma * own.loss_rates_[n]);
-  return 0;
 }
 
 void SundialsMarch::keep_message(int code, const char*, const char*, char* message, void* self) {
@@ -144,7 +128,7 @@ double SundialsMarch::advance(double from, double to, Field temperature, const A
 
 StepCount SundialsMarch::count() const {
   StepCount count = count_;
-  count.evaluations += loss_rate_probes + 1;
+  count.evaluations += shared_.evaluations + loss_rate_probes + 1;
   if (started_) count.rejected = rejected_steps();
   return count;
 }

@@ -30,18 +30,17 @@ class SundialsMarch : public TimeIntegrator {
   /// One step, at most to the time given; returns SUNDIALS' flag.
   virtual int step(double to, double& reached) = 0;
   virtual long rejected_steps() const = 0;
+  /// γ of the step that is being solved [s].
+  virtual double gamma() const = 0;
 
   N_Vector state() const { return state_.get(); }
   SUNContext context() const { return context_.get(); }
   SUNLinearSolver solver() const { return solver_.get(); }
-  bool preconditions() const { return options_.preconditioner == ImplicitPreconditioner::jacobi; }
   void* self() { return this; }
   void expect_success(int flag, double time);
 
   static int rate(double time, N_Vector y, N_Vector result, void* self);
   static int weights(N_Vector y, N_Vector result, void* self);
-  static int linear_part(N_Vector v, N_Vector result, double, N_Vector, N_Vector, void* self, N_Vector);
-  static int precondition(double, N_Vector, N_Vector, N_Vector r, N_Vector z, double gamma, double, int, void* self);
   static void keep_message(int code, const char*, const char*, char* message, void* self);
 
  private:
