@@ -13,6 +13,7 @@ namespace {
 std::string row(std::string_view name, const std::string& value) { return fmt::format("{:<22}{}\n", name, value); }
 
 std::string step_text(const Plan& plan) {
+  if (plan.integrator == SteadyState::name) return "none (one answer, for the end)";
   return plan.step > 0.0 ? quantity(plan.step, "s") : "chosen by error control";
 }
 

@@ -28,12 +28,18 @@ else()
   list(FILTER sources EXCLUDE REGEX "_(avx2|avx512)\\.cpp$")
 endif()
 
-# Optional libraries: the real file, or its neighbour that says how to get it.
+# Optional libraries: their files, or the neighbours that say what is missing and how to get it.
 if(TARGET PkgConfig::fftw)
   list(FILTER sources EXCLUDE REGEX "/fourier_sum_unavailable\\.cpp$")
 else()
   list(FILTER sources EXCLUDE REGEX "/fourier_sum\\.cpp$")
 endif()
+if(PERITHERM_HAS_SUNDIALS)
+  list(FILTER sources EXCLUDE REGEX "/sundials_unavailable\\.cpp$")
+else()
+  list(FILTER sources EXCLUDE REGEX "/sundials_(arkode|cvode|linear_solver|march)\\.cpp$")
+endif()
+list(FILTER headers EXCLUDE REGEX "/sundials_[a-z_]+\\.hpp$")
 
 # Contraction to fused multiply-adds is allowed where it pays and nowhere else, so that all other code gives the same
 # bits on every processor.
@@ -69,4 +75,7 @@ target_link_libraries(
           nlohmann_json::nlohmann_json muparser::muparser PkgConfig::cairo)
 if(TARGET PkgConfig::fftw)
   target_link_libraries(peritherm PRIVATE PkgConfig::fftw)
+endif()
+if(PERITHERM_HAS_SUNDIALS)
+  target_link_libraries(peritherm PRIVATE $<BUILD_INTERFACE:peritherm_sundials>)
 endif()

@@ -10,6 +10,8 @@ run_packages=(g++ cmake ninja-build make pkg-config git ccache libtomlplusplus-d
   nlohmann-json3-dev libcli11-dev libcairo2-dev zlib1g-dev libfftw3-dev)
 test_packages=(libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-vtk9)
 check_packages=(clang-format)
+# Optional: with it, the integrators cvode and arkode. Debian's package brings PETSc and MPI along, so only checks ask.
+check_packages+=(libsundials-dev)
 
 case "${1:-run}" in
   run) packages=("${run_packages[@]}") ;;

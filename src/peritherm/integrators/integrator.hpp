@@ -127,8 +127,94 @@ struct AutomaticStepping {
   bool operator==(const AutomaticStepping&) const = default;
 };
 
+/// The steady state at the end of the run, solved for by conjugate gradients; nothing is marched. Loads must not depend
+/// on time; growing cracks stand as they do at the end. Each part of the body that nothing holds keeps its heat.
+struct SteadyState {
+  double relative_tolerance = 1e-10;  ///< estimated error (rms) over the span of temperatures
+  int most_iterations = 100000;
+  static constexpr double stability = 2.0;  ///< of forward Euler, for comparison; nothing is marched
+  static constexpr int states = 6;
+  static constexpr std::string_view name = "steady";
+  static constexpr std::string_view help = "the steady state, by conjugate gradients; written once, at the end";
+  static constexpr auto options() {
+    return std::tuple{optional("relative_tolerance", &SteadyState::relative_tolerance, "",
+                               Check{[](double v) { return v >= 1e-14 && v <= 0.1; }, "must lie between 1e-14 and 0.1"},
+                               "estimated error (rms), relative to the span of temperatures"),
+                      optional("most_iterations", &SteadyState::most_iterations, "", positive,
+                               "number of iterations after which the search is given up")};
+  }
+  bool operator==(const SteadyState&) const = default;
+};
+
+/// What the conjugate gradients of an implicit step are preconditioned with.
+enum class ImplicitPreconditioner { none, jacobi };
+
+template <>
+struct EnumNames<ImplicitPreconditioner> {
+  static constexpr std::array<std::pair<ImplicitPreconditioner, std::string_view>, 2> values{
+      {{ImplicitPreconditioner::none, "none"}, {ImplicitPreconditioner::jacobi, "jacobi"}}};
+};
+
+inline constexpr Check implicit_tolerance{[](double v) { return v >= 1e-12 && v <= 0.1; },
+                                          "must lie between 1e-12 and 0.1"};
+
+/// What the two implicit integrators of SUNDIALS have in common.
+struct ImplicitOptions {
+  double relative_tolerance = 1e-5;  ///< error per step (rms) over the span of temperatures
+  double absolute_tolerance = 0.0;   ///< allowed on top [K]
+  ImplicitPreconditioner preconditioner = ImplicitPreconditioner::none;
+  static constexpr double stability = 2.0;  ///< of forward Euler, for comparison
+  bool operator==(const ImplicitOptions&) const = default;
+};
+
+/// Backward differentiation formulas of order 1 to 5 with variable steps, by CVODE [hindmarsh2005]. Bodies whose cracks
+/// grow are refused.
+struct BackwardDifferences : ImplicitOptions {
+  int order = 5;
+  static constexpr int states = 20;
+  static constexpr std::string_view name = "cvode";
+  static constexpr std::string_view help = "implicit multistep of variable order, by SUNDIALS; for long runs";
+  static constexpr auto options() {
+    using Own = BackwardDifferences;
+    return std::tuple{
+        optional<Own, double>("relative_tolerance", &Own::relative_tolerance, "", implicit_tolerance,
+                              "error per step (rms), relative to the span of temperatures"),
+        optional<Own, double>("absolute_tolerance", &Own::absolute_tolerance, "K", not_negative,
+                              "error per step (rms) allowed on top"),
+        optional("order", &Own::order, "", Check{[](double v) { return v >= 1 && v <= 5; }, "must lie between 1 and 5"},
+                 "highest order"),
+        optional<Own, ImplicitPreconditioner>(
+            "preconditioner", &Own::preconditioner,
+            "of the conjugate gradients: none, or jacobi for contrasts of materials")};
+  }
+  bool operator==(const BackwardDifferences&) const = default;
+};
+
+/// Diagonally implicit Runge-Kutta methods of order 2 to 5 with error control, by ARKODE [reynolds2023]. Bodies whose
+/// cracks grow are refused.
+struct ImplicitRungeKutta : ImplicitOptions {
+  int order = 4;
+  static constexpr int states = 20;
+  static constexpr std::string_view name = "arkode";
+  static constexpr std::string_view help = "implicit Runge-Kutta, by SUNDIALS; for long runs with jumps";
+  static constexpr auto options() {
+    using Own = ImplicitRungeKutta;
+    return std::tuple{optional<Own, double>("relative_tolerance", &Own::relative_tolerance, "", implicit_tolerance,
+                                            "error per step (rms), relative to the span of temperatures"),
+                      optional<Own, double>("absolute_tolerance", &Own::absolute_tolerance, "K", not_negative,
+                                            "error per step (rms) allowed on top"),
+                      optional("order", &Own::order, "",
+                               Check{[](double v) { return v >= 2 && v <= 5; }, "must lie between 2 and 5"}, "order"),
+                      optional<Own, ImplicitPreconditioner>(
+                          "preconditioner", &Own::preconditioner,
+                          "of the conjugate gradients: none, or jacobi for contrasts of materials")};
+  }
+  bool operator==(const ImplicitRungeKutta&) const = default;
+};
+
 /// The list.
-using TimeStepping = std::variant<AutomaticStepping, RungeKuttaLegendre, Chebyshev, RungeKutta4, ForwardEuler>;
+using TimeStepping = std::variant<AutomaticStepping, Chebyshev, RungeKuttaLegendre, RungeKutta4, ForwardEuler,
+                                  SteadyState, BackwardDifferences, ImplicitRungeKutta>;
 
 /// A method and why it was taken.
 struct ChosenStepping {
@@ -156,6 +242,9 @@ std::unique_ptr<TimeIntegrator> make_integrator(const RungeKutta4& options, Ther
 std::unique_ptr<TimeIntegrator> make_integrator(const RungeKuttaLegendre& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const Chebyshev& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const AutomaticStepping& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const SteadyState& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const BackwardDifferences& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const ImplicitRungeKutta& options, ThermalSystem& system);
 inline std::unique_ptr<TimeIntegrator> make_integrator(const TimeStepping& options, ThermalSystem& system) {
   return std::visit([&](const auto& chosen) { return make_integrator(chosen, system); }, options);
 }

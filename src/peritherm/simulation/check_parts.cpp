@@ -161,6 +161,22 @@ void check_outputs(Checker& checker) {
   check_file_names(checker);
 }
 
+namespace {
+
+/// Multistep and implicit Runge-Kutta methods take the conductances to be the same at all times.
+void check_crack_growth(Checker& checker, std::string_view integrator) {
+  const auto& cracks = checker.problem.cracks;
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    const bool late = cracks[i].start_time > 0.0 && cracks[i].start_time < checker.problem.time.end;
+    if (!cracks[i].tip_speed && !late) continue;
+    checker.add(entry("crack", i) + (cracks[i].tip_speed ? ".tip_speed" : ".start_time"),
+                "the integrator '" + std::string(integrator) + "' cannot follow cracks that grow or appear",
+                "Choose the integrator \"rkl2\", which can");
+  }
+}
+
+}  // namespace
+
 void check_numerics(Checker& checker) {
   if (checker.problem.numerics.backend == BackendName::fourier && !fourier_sum_available()) {
     checker.add("numerics.backend", "'fft' needs FFTW, which this build has not",
@@ -173,6 +189,7 @@ void check_numerics(Checker& checker) {
   if (!checker.sound("time")) return;
   std::visit(
       [&checker](const auto& chosen) {
+        if constexpr (requires { chosen.preconditioner; }) check_crack_growth(checker, chosen.name);
         if constexpr (requires { chosen.safety; }) {
           if (chosen.safety > 0.0) return;
           checker.add("time.integrator.safety", "must be positive", "Got " + shortest(chosen.safety));

@@ -42,6 +42,9 @@ void check_profile(Checker& checker, const UsedProfile& used) {
     CompiledProfile compiled(used.profile);
     if (used.key == "initial.temperature" && compiled.depends_on_time()) {
       checker.add(used.key, "the temperature at the start cannot depend on t", "Use x, y and z only");
+    } else if (std::holds_alternative<SteadyState>(checker.problem.time.integrator) && compiled.depends_on_time()) {
+      checker.add(used.key, "depends on t, so there is no steady state",
+                  "Leave t out, or choose another integrator than \"steady\"");
     }
     const std::string owner = used.key.substr(0, used.key.rfind('.'));
     if (!shape_is_sound(checker, owner, used.where)) return;

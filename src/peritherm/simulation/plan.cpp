@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <sstream>
 
 #include "peritherm/base/error.hpp"
@@ -42,6 +43,20 @@ double growth_evaluations(const Problem& problem, double spacing, double toleran
     passed = std::max(passed, std::min(length, *crack.tip_speed * duration) / spacing);
   }
   return 210.0 * passed * std::pow(1e-4 / tolerance, 0.35);
+}
+
+/// Conjugate gradients need half the root of the condition number for each factor e of accuracy, twice; the slowest
+/// decay is that of a bar as long as the box and insulated at one end.
+double steady_evaluations(const Problem& problem, double fastest_rate, double tolerance) {
+  const Grid grid = make_grid(problem);
+  double length = 0.0;
+  for (int axis = 0; axis < grid.dimension; ++axis) length = std::max(length, grid.length(axis));
+  double diffusivity = 0.0;
+  for (const auto& [name, material] : problem.materials) {
+    diffusivity = std::max(diffusivity, material.conductivity / volumetric_heat_capacity(material));
+  }
+  const double slowest_rate = diffusivity * std::pow(0.5 * std::numbers::pi / length, 2);
+  return 10.0 + 0.5 * std::sqrt(fastest_rate / slowest_rate) * std::log(2.0 / tolerance);
 }
 
 /// Temperatures are gathered for whatever is written; flux and damage one after the other.
@@ -99,6 +114,9 @@ void refuse_if_too_large(double bytes, const Grid& grid) {
 
 double evaluations_for(const Problem& problem, const TimeStepping& stepping, double fastest_rate, double spacing,
                        std::size_t state_size) {
+  if (const auto* steady = std::get_if<SteadyState>(&stepping)) {
+    return steady_evaluations(problem, fastest_rate, steady->relative_tolerance);
+  }
   double evaluations = estimate_evaluations(stepping, fastest_rate, march_times(problem), state_size);
   if (const auto* stabilised = std::get_if<RungeKuttaLegendre>(&stepping)) {
     evaluations += growth_evaluations(problem, spacing, stabilised->relative_tolerance);

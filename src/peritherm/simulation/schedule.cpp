@@ -40,7 +40,9 @@ std::vector<Watch> make_watches(const Problem& problem, const std::filesystem::p
   std::vector<ProbeOutput> probes;
   std::vector<double> probe_times;
   for (const OutputOptions& output : problem.outputs) {
-    const std::vector<double> times = times_of(output, problem.time.end);
+    std::vector<double> times = times_of(output, problem.time.end);
+    // A steady state is one: it is written once, whatever the period.
+    if (std::holds_alternative<SteadyState>(problem.time.integrator)) times = {problem.time.end};
     std::visit(Overloaded{[&](const ProbeOutput& probe) {
                             probes.push_back(probe);
                             merge(probe_times, times);

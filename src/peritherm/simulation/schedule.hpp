@@ -16,7 +16,7 @@ struct Watch {
   bool is_due(double time) const;
 };
 
-/// One per output; all probes share one.
+/// One per output; all probes share one. A steady state is shown to each of them once, at the end.
 std::vector<Watch> make_watches(const Problem& problem, const std::filesystem::path& folder);
 
 /// Times after 0 at which any output looks, and the end of the run; ascending, each once.

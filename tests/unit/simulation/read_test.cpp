@@ -78,7 +78,7 @@ TEST(Read, one_mistake_gives_one_issue_with_key_line_and_words) {
       {"\"boundary\"", "\"corner\"", "body.points", 7, "unknown choice 'corner'. Choose one of: centres, boundary"},
       {"type = \"convection\"", "type = \"conviction\"", "boundary.1.type", 33, "unknown type 'conviction'"},
       {"integrator = \"rkl2\"", "integrator = \"rkl3\"", "time.integrator.type", 43,
-       "Choose one of: auto, rkl2, chebyshev, rk4, euler"},
+       "Choose one of: auto, chebyshev, rkl2, rk4, euler, steady, cvode, arkode"},
       {"integrator = \"rkl2\"", "integrator = 3", "time.integrator", 43, "expected a table with a type"},
       {"[[crack]]", "[crack]", "crack", 36, "expected a list of tables, got a table. Write [[crack]]"},
       {"title = \"Two", "title = 3 #", "title", 2, "expected a text, got a number"},
