@@ -90,7 +90,7 @@ void measure_case(const Case& one, const Settings& settings, Report& report) {
   const MachineLoops& loops = machine_loops().front();
   const double* const state = evaluation.state().data();
   std::vector<double> out(other.points);
-  const FmaCalibration fma = fma_calibration();
+  const Calibration fma = fma_calibration();
   const Contenders contenders{
       fma.run,
       [&] { evaluation.run(); },
@@ -117,7 +117,7 @@ void measure_case(const Case& one, const Settings& settings, Report& report) {
     const Spread ratio = rounds.ratio(k, 1);
     report.row({text_of(kind), std::string(names[k]), rounds.of(k).median * factor * 1e9 / evaluation.points(),
                 Spread{ratio.median * factor, ratio.low * factor, ratio.high * factor},
-                1e-9 * fma.multiply_adds / rounds.of(0).median});
+                1e-9 * fma.work / rounds.of(0).median});
   }
   report.aim("sparse-matrix product over stencil, " + text_of(kind),
              rounds.ratio(better(rounds, 2, 3), 1).median / share, Goal::at_least, one.aim);

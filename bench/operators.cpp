@@ -65,24 +65,27 @@ Spread scaled(const Spread& spread, double factor) {
 
 void measure_group(int dimension, double ratio, const Settings& settings, Report& report) {
   std::vector<Entrant> entrants = make_entrants(kinds_of(dimension, ratio, settings.quick));
-  const FmaCalibration fma[] = {fma_calibration(false), fma_calibration(true)};
-  Contenders contenders{fma[0].run, fma[1].run};
+  const Calibration fma[] = {fma_calibration(false), fma_calibration(true)};
+  const Calibration memory = triad_calibration(settings.quick);
+  Contenders contenders{fma[0].run, fma[1].run, memory.run};
   for (Entrant& entrant : entrants) contenders.push_back([&entrant] { entrant.evaluation->run(); });
   const Rounds rounds = interleave(contenders, settings.rounds);
   for (std::size_t k = 0; k < entrants.size(); ++k) {
     const BodyKind& kind = entrants[k].kind;
     Evaluation& evaluation = *entrants[k].evaluation;
+    const std::size_t self = k + 3;
     const std::size_t unit = kind.precision == Precision::single ? 1 : 0;
     const double point = 1e9 / evaluation.points();
     const bool folds = kind.backend == BackendName::stencil;
-    // Multiply-adds that the machine could have made meanwhile, over those of the folded stencil.
-    const double work = evaluation.folded_multiplies() * evaluation.points() / fma[unit].multiply_adds;
-    const double share = 100.0 * work * rounds.ratio(unit, k + 2).median;
+    // Time at the machine's limits over time taken: of the folded multiply-adds, and of 24 B of memory per point.
+    const double work = evaluation.folded_multiplies() * evaluation.points() / fma[unit].work;
+    const double share = 100.0 * work * rounds.ratio(unit, self).median;
+    const double memory_share = 100.0 * 24.0 * evaluation.points() / memory.work * rounds.ratio(2, self).median;
     report.row({text_of(kind), std::string(name_of(kind.backend)), std::string(name_of(kind.precision)),
-                std::string(kind.cracked ? "half width" : "-"), scaled(rounds.of(k + 2), point),
-                rounds.of(k + 2).median * point / evaluation.bonds_per_point(), evaluation.bytes_per_point(),
-                evaluation.folded_multiplies(), folds ? Cell(share) : Cell(std::string("-")),
-                1e-9 * fma[unit].multiply_adds / rounds.of(unit).median});
+                std::string(kind.cracked ? "half width" : "-"), scaled(rounds.of(self), point),
+                rounds.of(self).median * point / evaluation.bonds_per_point(), evaluation.bytes_per_point(),
+                evaluation.folded_multiplies(), folds ? Cell(share) : Cell(std::string("-")), memory_share,
+                1e-9 * fma[unit].work / rounds.of(unit).median});
     const bool plain_double = folds && unit == 0 && !kind.cracked;
     const std::string what = "share of the FMA peak, " + text_of(kind) + " [%]";
     if (plain_double && dimension == 2 && ratio == 6.5) report.aim(what, share, Goal::at_least, 75.0);
@@ -97,7 +100,9 @@ void measure_operators(const Settings& settings, Report& report) {
   omp_set_num_threads(1);
   report.begin("operator",
                "one evaluation of dT/dt by HeatSystem::combine, ghost layer and corrections included; one thread, its "
-               "processor time; multiply-adds: of the folded stencil; share: of the FMA rate in the same rounds",
+               "processor time; multiply-adds: of the folded stencil; shares: time that these, or 24 B per point, "
+               "would take at the rates of the "
+               "same rounds",
                {{"body"},
                 {"backend"},
                 {"precision"},
@@ -107,6 +112,7 @@ void measure_operators(const Settings& settings, Report& report) {
                 {"memory per point", "B"},
                 {"multiply-adds per point"},
                 {"share of FMA rate", "%"},
+                {"share of triad", "%"},
                 {"FMA rate", "1e9/s"}});
   for (const double ratio : {3.0, 6.5, 13.0}) measure_group(1, ratio, settings, report);
   for (const double ratio : {3.0, 6.5, 13.0, 26.0}) measure_group(2, ratio, settings, report);

@@ -31,6 +31,7 @@ std::string text_of(const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell)) return *words;
   if (const auto* number = std::get_if<double>(&cell)) return text_of(*number);
   const Spread& range = std::get<Spread>(cell);
+  if (std::isnan(range.median)) return "-";
   return fmt::format("{} ({}-{})", text_of(range.median), text_of(range.low), text_of(range.high));
 }
 
@@ -94,7 +95,7 @@ void Report::print_aims() const {
   Rows rows{{"what", "measured", "aim", ""}};
   for (const Aim& aim : aims_) {
     const std::string sign = aim.goal == Goal::at_least ? ">= " : "<= ";
-    rows.push_back({aim.what, text_of(aim.measured), sign + text_of(aim.aim), aim.reached() ? "reached" : "missed"});
+    rows.push_back({aim.what, text_of(aim.measured), sign + text_of(aim.aim), aim.verdict()});
   }
   fmt::print("\naims\n");
   print_rows(rows);
@@ -124,7 +125,7 @@ void Report::write_json(const std::filesystem::path& path) const {
                             {"measured", aim.measured},
                             {"goal", aim.goal == Goal::at_least ? "at least" : "at most"},
                             {"aim", aim.aim},
-                            {"reached", aim.reached()}});
+                            {"verdict", aim.verdict()}});
   }
   std::ofstream out(path);
   out << root.dump(2) << '\n';

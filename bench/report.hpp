@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <variant>
@@ -46,7 +47,10 @@ class Report {
     double measured;
     Goal goal;
     double aim;
-    bool reached() const { return goal == Goal::at_least ? measured >= aim : measured <= aim; }
+    std::string verdict() const {
+      if (std::isnan(measured)) return "not measured";
+      return (goal == Goal::at_least ? measured >= aim : measured <= aim) ? "reached" : "missed";
+    }
   };
   std::vector<Table> tables_;
   std::vector<Aim> aims_;

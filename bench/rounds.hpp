@@ -27,6 +27,7 @@ class Rounds {
   Spread of(std::size_t contender) const { return spread(times_.at(contender)); }
   /// Ratio of two contenders within the same round: what slows the machine for a while slows both.
   Spread ratio(std::size_t above, std::size_t below) const;
+  const std::vector<double>& times(std::size_t contender) const { return times_.at(contender); }
 
  private:
   std::vector<std::vector<double>> times_;

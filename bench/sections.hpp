@@ -37,11 +37,14 @@ void measure_growth(const Settings& settings, Report& report);
 /// What measure_memory starts in a process of its own: runs a body of this size and prints how far the memory grew.
 void print_memory_of_run(int dimension, int cells);
 
-/// One contender for all figures that are shares of the FMA rate: multiply-adds in registers, in double or single.
-struct FmaCalibration {
+/// A contender that runs at a limit of the machine, for figures that are shares of it.
+struct Calibration {
   std::function<void()> run;
-  double multiply_adds;  ///< of one run
+  double work;  ///< of one run: multiply-adds or bytes
 };
-FmaCalibration fma_calibration(bool single = false);
+/// Multiply-adds in registers, in double or single.
+Calibration fma_calibration(bool single = false);
+/// a = b + s c on fields far larger than the caches; 24 B are counted per entry.
+Calibration triad_calibration(bool quick);
 
 }  // namespace peritherm::bench
