@@ -62,7 +62,7 @@ void measure_stages_of(const BodyKind& kind, const Settings& settings, Report& r
   Stages stages(evaluation);
   const Rounds rounds = interleave(
       {[&] { stages.bare(); }, [&] { stages.legendre(); }, [&] { stages.chebyshev_pair(); }, [&] { stages.euler(); }},
-      settings.rounds);
+      4 * settings.rounds);
   const double point = 1e9 / evaluation.points();
   const char* const names[] = {"bare evaluation", "rkl2: 4 terms", "chebyshev: 2 terms, 1 sum every other stage",
                                "euler: 1 term"};
@@ -122,7 +122,7 @@ void measure_cracks(const Settings& settings, Report& report) {
                {{"body"}, {"without", "ns per point"}, {"with", "ns per point"}, {"extra", "%"}});
   for (const BodyKind& kind : {plate(settings), cube(settings, 3.0)}) {
     Evaluation plain(kind), cracked(with_crack(kind));
-    const Rounds rounds = interleave({[&] { plain.run(); }, [&] { cracked.run(); }}, 2 * settings.rounds);
+    const Rounds rounds = interleave({[&] { plain.run(); }, [&] { cracked.run(); }}, 6 * settings.rounds);
     const double point = 1e9 / plain.points();
     const Spread extra = percent_above(rounds.ratio(1, 0));
     report.row({text_of(kind), point * rounds.of(0).median, point * rounds.of(1).median, extra});
