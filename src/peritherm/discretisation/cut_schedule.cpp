@@ -41,6 +41,12 @@ bool CutSchedule::average_over(double from, double to, Field conductances) {
   return first < last;
 }
 
+bool CutSchedule::changes_within(double from, double to) const {
+  const auto later = [](double time, const Event& event) { return time < event.time; };
+  const auto next = std::upper_bound(events_.begin(), events_.end(), from, later);
+  return next != events_.end() && next->time < to;
+}
+
 std::vector<std::size_t> CutSchedule::entries() const {
   std::vector<std::size_t> result;
   result.reserve(events_.size());

@@ -21,6 +21,9 @@ class CutSchedule {
   /// Sets the conductances to their means over [from, to]; those at `from` if both are equal. True if any changed.
   bool average_over(double from, double to, Field conductances);
 
+  /// Whether anything changes at a time within (from, to).
+  bool changes_within(double from, double to) const;
+
   bool empty() const { return events_.empty(); }
   std::size_t size() const { return events_.size(); }
   /// Entries that change, ascending, each once.

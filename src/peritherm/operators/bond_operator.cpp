@@ -114,6 +114,8 @@ class BondOperator final : public ConductionOperator {
 
   bool average_over(double from, double to) override { return bonds_.cuts.average_over(from, to, bonds_.conductances); }
 
+  bool changes_within(double from, double to) const override { return bonds_.cuts.changes_within(from, to); }
+
   std::vector<std::size_t> changing_points() const override {
     std::vector<std::size_t> points;
     for (const std::size_t bond : bonds_.cuts.entries()) {

@@ -54,6 +54,9 @@ class ConductionOperator {
   /// True if any is another than before.
   virtual bool average_over(double from, double to) = 0;
 
+  /// Whether any conductance changes at a time within (from, to).
+  virtual bool changes_within(double from, double to) const = 0;
+
   /// Entries of points whose bonds change in time, ascending.
   virtual std::vector<std::size_t> changing_points() const = 0;
 

@@ -127,6 +127,8 @@ class GridOperator final : public ConductionOperator {
     return corrections_.cuts.average_over(from, to, corrections_.differences);
   }
 
+  bool changes_within(double from, double to) const override { return corrections_.cuts.changes_within(from, to); }
+
   std::vector<std::size_t> changing_points() const override {
     std::vector<std::size_t> points;
     for (const std::size_t c : corrections_.cuts.entries()) {

@@ -310,6 +310,7 @@ Assembly assemble(const Problem& problem) {
   parts.sources = make_sources(problem, geometry, layout);
   parts.boundary_names = geometry.boundary_names;
   parts.spectral_bound = spectral_bound(geometry);
+  parts.bound_is_sharp = parts.spectral_bound > 0.0 && geometry.body.regions.empty();
   parts.conduction = backend == BackendName::bond
                          ? make_bond_backend(geometry, layout)
                          : make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by);

@@ -11,6 +11,7 @@
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/memory.hpp"
+#include "peritherm/simulation/schedule.hpp"
 #include "peritherm/simulation/simulate.hpp"
 
 namespace peritherm {
@@ -26,12 +27,6 @@ constexpr double least_work_per_thread = 150e-6;
 StencilOptions stencil_options(const Problem& problem) {
   return {problem.nonlocality.kernel, horizon_of(problem), problem.nonlocality.partial_volumes,
           problem.nonlocality.calibration};
-}
-
-/// Evaluations of rkl2 grow like the root of time over the fastest decay and the sixth root of accuracy; the factor
-/// was measured on a cracked plate.
-double rkl2_evaluations(double rate_times_end, double tolerance) {
-  return 10.0 + 11.0 * std::sqrt(rate_times_end) * std::pow(3e-5 / tolerance, 1.0 / 6.0);
 }
 
 /// While cracks grow, the cutting of bonds sets the steps: so many evaluations per spacing that a tip passes, measured
@@ -88,20 +83,19 @@ double evaluation_seconds(const Problem& problem, const Stencil& stencil) {
   return bonds * stencil_seconds_per_bond + points * stencil_seconds_per_point;
 }
 
-void estimate_costs(const Problem& problem, double fastest_rate, const Stencil& stencil, int threads, Plan& plan) {
-  const double end = problem.time.end;
+void estimate_costs(const Problem& problem, const TimeStepping& stepping, HeatSystem& system, const Stencil& stencil,
+                    int threads, Plan& plan) {
+  const double fastest_rate = system.fastest_rate();
+  plan.evaluations = estimate_evaluations(stepping, fastest_rate, march_times(problem), system.size());
   std::visit(
       [&](const auto& chosen) {
         plan.stable_step = chosen.stability / fastest_rate;
-        if constexpr (requires { chosen.step; }) {
-          plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
-          plan.evaluations = std::ceil(end / plan.step) * chosen.stages;
-        } else {
-          plan.evaluations = rkl2_evaluations(fastest_rate * end, chosen.relative_tolerance) +
-                             growth_evaluations(problem, plan.spacing, chosen.relative_tolerance);
-        }
+        if constexpr (requires { chosen.step; }) plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
       },
-      problem.time.integrator);
+      stepping);
+  if (const auto* stabilised = std::get_if<RungeKuttaLegendre>(&stepping)) {
+    plan.evaluations += growth_evaluations(problem, plan.spacing, stabilised->relative_tolerance);
+  }
   plan.duration = plan.evaluations * evaluation_seconds(problem, stencil) / threads;
 }
 
@@ -134,7 +128,7 @@ int set_threads(const Problem& problem) {
   return threads;
 }
 
-Plan make_plan(const Problem& problem, const Assembly& assembly, int threads) {
+Plan make_plan(const Problem& problem, const Assembly& assembly, const ChosenStepping& chosen, int threads) {
   const Geometry& geometry = assembly.geometry;
   const Body& body = geometry.body;
   Plan plan;
@@ -148,10 +142,11 @@ Plan make_plan(const Problem& problem, const Assembly& assembly, int threads) {
     plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
   }
   plan.backend = name_of(assembly.backend);
-  plan.integrator = std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
+  plan.integrator = std::visit([](const auto& options) { return std::string(options.name); }, chosen.stepping);
+  plan.integrator_reason = chosen.reason;
   plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem));
   if (assembly.backend == BackendName::stencil) plan.memory_bytes += assembly.system->bytes();
-  estimate_costs(problem, assembly.system->fastest_rate(), geometry.stencil, threads, plan);
+  estimate_costs(problem, chosen.stepping, *assembly.system, geometry.stencil, threads, plan);
   return plan;
 }
 
@@ -160,8 +155,9 @@ Plan plan(const Problem& problem) {
   const int threads = set_threads(problem);
   const Assembly assembly = assemble(problem);
   // Refuses a step beyond the stability limit, as the run would.
-  make_integrator(problem.time.integrator, *assembly.system);
-  return make_plan(problem, assembly, threads);
+  const ChosenStepping chosen = choose_stepping(problem.time.integrator, *assembly.system, 0.0, march_times(problem));
+  make_integrator(chosen.stepping, *assembly.system);
+  return make_plan(problem, assembly, chosen, threads);
 }
 
 }  // namespace peritherm

@@ -9,7 +9,7 @@ namespace peritherm {
 /// large has been allocated by then.
 void refuse_if_too_large(const Problem& problem);
 
-Plan make_plan(const Problem& problem, const Assembly& assembly, int threads);
+Plan make_plan(const Problem& problem, const Assembly& assembly, const ChosenStepping& chosen, int threads);
 
 /// Threads that a run uses; also tells OpenMP.
 int set_threads(const Problem& problem);

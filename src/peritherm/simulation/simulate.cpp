@@ -69,8 +69,6 @@ class Gallery {
   Gallery(const Problem& problem, const Assembly& assembly, const std::filesystem::path& folder)
       : problem_(problem), assembly_(assembly), watches_(make_watches(problem, folder)) {}
 
-  std::vector<double> times() const { return all_times(watches_, problem_.time.end); }
-
   void show(double time, std::vector<double>& state, bool everybody) {
     std::vector<Observer*> due;
     for (const Watch& watch : watches_) {
@@ -191,7 +189,8 @@ void prepare_folder(const RunSettings& settings) {
 /// The march from output time to output time.
 class March {
  public:
-  March(const Problem& problem, const RunSettings& settings, Assembly& assembly, RunSummary& summary)
+  March(const Problem& problem, const RunSettings& settings, const TimeStepping& stepping, Assembly& assembly,
+        RunSummary& summary)
       : problem_(problem),
         settings_(settings),
         assembly_(assembly),
@@ -199,24 +198,22 @@ class March {
         gallery_(problem, assembly, settings.folder),
         state_(initial_state(problem, assembly)),
         balance_(*assembly.system, state_),
-        integrator_(make_integrator(problem.time.integrator, *assembly.system)) {
+        integrator_(make_integrator(stepping, *assembly.system)) {
     summary_.plan.stable_step = integrator_->stable_step();
   }
 
   void go() {
     start_ = Clock::now();
     show(0.0, false);
-    double time = 0.0;
-    for (const double next : gallery_.times()) {
-      if (next <= time) continue;
-      const double reached = integrator_->advance(
-          time, next, state_, [this](double now, ConstField temperature) { return after_step(now, temperature); });
-      time = reached;
-      look(time, state_);
-      record(time);
-      const bool stopped = reached < next;
-      show(time, stopped);
-      if (stopped) break;
+    const MarchFollower follower{
+        [this](double now, ConstField temperature) { return after_step(now, temperature); },
+        [this](double now, Field) { return arrive(now); },
+        [this](double now) { return report(now); },
+    };
+    const double time = integrator_->march(0.0, march_times(problem_), state_, follower);
+    if (time > arrived_) {
+      stopped_ = true;
+      arrive(time);
     }
     summary_.status = time < problem_.time.end ? "stopped" : "completed";
   }
@@ -239,6 +236,14 @@ class March {
     summary_.files = gallery_.files();
   }
 
+  bool arrive(double now) {
+    arrived_ = now;
+    look(now, state_);
+    record(now);
+    show(now, stopped_);
+    return !stopped_;
+  }
+
   void look(double now, ConstField temperature) {
     const auto [lowest, highest] = assembly_.system->extremes(temperature);
     if (!std::isfinite(lowest) || !std::isfinite(highest)) report_not_finite(assembly_, temperature, now);
@@ -249,10 +254,15 @@ class March {
     // Looking at every point costs as much as a part of an evaluation, so short steps are not all looked at.
     if (integrator_->count().evaluations >= looked_at_ + evaluations_between_looks) look(now, temperature);
     summary_.end_time = now;
+    return report(now);
+  }
+
+  bool report(double now) {
     if (settings_.on_progress) {
       settings_.on_progress({now, problem_.time.end, integrator_->count(), seconds_since(start_)});
     }
-    return !(settings_.stop_requested && settings_.stop_requested());
+    stopped_ = settings_.stop_requested && settings_.stop_requested();
+    return !stopped_;
   }
 
   const Problem& problem_;
@@ -263,6 +273,8 @@ class March {
   std::vector<double> state_;
   EnergyBalance balance_;
   std::unique_ptr<TimeIntegrator> integrator_;
+  bool stopped_ = false;
+  double arrived_ = 0.0;
   long looked_at_ = -evaluations_between_looks;
   Clock::time_point start_ = Clock::now();
 };
@@ -274,9 +286,10 @@ RunSummary run(const Problem& problem, const RunSettings& settings) {
   const int threads = set_threads(problem);
   Assembly assembly = assemble(problem);
   RunSummary summary;
-  summary.plan = make_plan(problem, assembly, threads);
+  const ChosenStepping chosen = choose_stepping(problem.time.integrator, *assembly.system, 0.0, march_times(problem));
+  summary.plan = make_plan(problem, assembly, chosen, threads);
   // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
-  March march(problem, settings, assembly, summary);
+  March march(problem, settings, chosen.stepping, assembly, summary);
   prepare_folder(settings);
   if (settings.on_plan) settings.on_plan(summary.plan);
   write_file(settings.folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +

@@ -7,8 +7,9 @@
 #include <exception>
 #include <unordered_map>
 
-namespace peritherm {
+#include "peritherm/system/spectral_estimate.hpp"
 
+namespace peritherm {
 HeatSystem::HeatSystem(HeatSystemParts parts) : parts_(std::move(parts)), field_size_(parts_.conduction->size()) {
   const auto boundaries = static_cast<int>(parts_.boundary_names.size());
   for (int b = 0; b < boundaries; ++b) accounts_.push_back({.boundary = b});
@@ -155,8 +156,8 @@ void HeatSystem::combine(const Load& load, Field temperature, double rate_weight
                          Accumulations accumulations) {
   const Field field = temperature.first(field_size_);
   parts_.ghosts->fill(load.walls, field);
-  for (std::size_t n = field_size_; n < result.size(); ++n) {
-    for (const Accumulation& more : accumulations) {
+  for (const Accumulation& more : accumulations) {
+    for (std::size_t n = field_size_; n < result.size(); ++n) {
       more.target[n] += more.temperature_weight * temperature[n] + more.result_weight * result[n];
     }
   }
@@ -172,6 +173,10 @@ void HeatSystem::combine(const Load& load, Field temperature, double rate_weight
     for (const Term& term : terms) value += term.weight * term.values[field_size_ + a];
     result[field_size_ + a] = value;
   }
+}
+
+bool HeatSystem::loads_change() const {
+  return sources_change_ || parts_.wall_temperatures.depends_on_time() || parts_.exchange_values.depends_on_time();
 }
 
 double HeatSystem::heat_product(ConstField a, ConstField b) const {
@@ -196,7 +201,7 @@ ThermalSystem::Extremes HeatSystem::extremes(ConstField temperature) const {
   return found;
 }
 
-double HeatSystem::fastest_rate() const {
+double HeatSystem::bound_fastest_rate() const {
   double rate = parts_.conduction->gershgorin_bound();
   if (parts_.spectral_bound > 0.0) rate = std::min(rate, parts_.spectral_bound);
   std::unordered_map<std::int64_t, double> loss;
@@ -208,6 +213,18 @@ double HeatSystem::fastest_rate() const {
     fastest_loss = std::max(fastest_loss, sum);
   }
   return rate + fastest_loss;
+}
+
+/// Cracks that grow only take conductances away, so what holds now holds later.
+double HeatSystem::fastest_rate() {
+  if (fastest_rate_ > 0.0) return fastest_rate_;
+  fastest_rate_ = bound_fastest_rate();
+  const bool sharp = parts_.bound_is_sharp && parts_.exchanges.empty();
+  if (!sharp) {
+    const double estimate = estimate_fastest_rate(*this, parts_.conduction->free_points());
+    if (estimate > 0.0) fastest_rate_ = std::min(fastest_rate_, estimate);
+  }
+  return fastest_rate_;
 }
 
 std::vector<std::string> HeatSystem::account_names() const {

@@ -45,6 +45,7 @@ struct HeatSystemParts {
   std::vector<std::string> boundary_names;           ///< per boundary index
   std::vector<std::vector<std::int64_t>> near_held;  ///< per boundary: entries of points that may touch what it holds
   double spectral_bound = 0.0;                       ///< known bound of the fastest rate of conduction [1/s]; 0: none
+  bool bound_is_sharp = false;                       ///< to a few per mille, so that no estimate would gain anything
 };
 
 /// C dT/dt = conduction + boundaries + sources on any set of points.
@@ -57,12 +58,12 @@ class HeatSystem final : public ThermalSystem {
   void combine(double time, Field temperature, double rate_weight, Terms terms, Field result) override;
   std::optional<LoadPiece> fit_loads(double from, double to, int degree, double tolerance) override;
   void combine_linear(int k, Field temperature, double rate_weight, Terms terms, Field result,
-                      Accumulations accumulations) override;
+                      Accumulations accumulations = {}) override;
   double heat_product(ConstField a, ConstField b) const override;
   std::size_t field_size() const override { return field_size_; }
   double rms(Terms terms) const override;
   Extremes extremes(ConstField temperature) const override;
-  double fastest_rate() const override;
+  double fastest_rate() override;
 
   /// Sets held and fictitious entries to their values at a time.
   void fill(double time, Field temperature);
@@ -94,6 +95,16 @@ class HeatSystem final : public ThermalSystem {
     double source_heat_rate = 0.0;  ///< [W]
   };
   Load current_load() const;
+  struct StoredLoad {
+    std::vector<double> walls, exchanges, sources;
+    double source_heat_rate = 0.0;
+  };
+  double bound_fastest_rate() const;
+  bool loads_change() const;
+  std::vector<double> probe_loads(double time);
+  std::vector<double> allowed_misfit(double from, double to, double tolerance);
+  bool fits(double begin, double end, int degree, const std::vector<double>& allowed);
+  void fit_piece(const LoadPiece& piece);
   void combine(const Load& load, Field temperature, double rate_weight, Terms terms, Field result,
                Accumulations accumulations);
   void measure(Account& account);
@@ -104,11 +115,14 @@ class HeatSystem final : public ThermalSystem {
   HeatSystemParts parts_;
   std::size_t field_size_;
   std::vector<Account> accounts_;
+  std::vector<StoredLoad> fitted_;  ///< derivatives in time at the begin of a piece
+  StoredLoad no_load_;
   std::vector<double> load_;       ///< rate from sources [K/s]; empty without sources
   double source_heat_rate_ = 0.0;  ///< [W]
   double load_time_ = 0.0;
   bool load_fresh_ = false;
   bool sources_change_ = false;
+  double fastest_rate_ = 0.0;  ///< 0: not known yet
 };
 
 }  // namespace peritherm
