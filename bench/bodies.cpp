@@ -41,6 +41,7 @@ Problem make_problem(const BodyKind& kind) {
   problem.numerics.backend = kind.backend;
   set_precision(problem.numerics, kind.precision);
   problem.time.end = 0.1;
+  problem.time.integrator = RungeKuttaLegendre{};
   const Face low = make_face(kind.dimension - 1, false), high = make_face(kind.dimension - 1, true);
   problem.boundaries.push_back({high, std::nullopt, HeldTemperature{Profile(1.0), Imposed::mirror, std::nullopt}});
   problem.boundaries.push_back({low, std::nullopt, HeldTemperature{Profile(0.0), Imposed::mirror, std::nullopt}});

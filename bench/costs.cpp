@@ -83,7 +83,7 @@ void set_up(const BodyKind& kind) {
   const Problem problem = make_problem(kind);
   const Assembly assembly = assemble(problem);
   const auto state = initial_state(problem, assembly);
-  make_plan(problem, assembly, 1);
+  make_plan(problem, assembly, {problem.time.integrator, {}}, 1);
 }
 
 void measure_setup_of(const BodyKind& kind, const Settings& settings, Report& report) {

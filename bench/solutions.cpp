@@ -37,16 +37,17 @@ Answer march(const BodyKind& kind, const TimeStepping& stepping) {
   const Problem problem = make_problem(kind);
   const Assembly assembly = assemble(problem);
   std::vector<double> state = initial_state(problem, assembly);
-  const auto go_on = [](double, ConstField) { return true; };
   Answer answer;
   const double start = seconds(Clock::thread);
   const auto integrator = make_integrator(stepping, *assembly.system);
-  double time = 0.0;
-  for (const double next : output_times) {
-    time = integrator->advance(time, next, state, go_on);
-    answer.temperatures.emplace_back(assembly.geometry.body.grid.size());
-    assembly.layout.gather(state, answer.temperatures.back());
-  }
+  const MarchFollower follower{[](double, ConstField) { return true; },
+                               [&](double, Field temperature) {
+                                 answer.temperatures.emplace_back(assembly.geometry.body.grid.size());
+                                 assembly.layout.gather(temperature, answer.temperatures.back());
+                                 return true;
+                               },
+                               [](double) { return true; }};
+  integrator->march(0.0, output_times, state, follower);
   answer.seconds = seconds(Clock::thread) - start;
   answer.evaluations = static_cast<double>(integrator->count().evaluations);
   return answer;
@@ -74,6 +75,7 @@ double error_of(const Answer& answer, const Answer& reference) {
 template <class Stepping>
 std::vector<std::pair<std::string, Stepping>> ladder() {
   std::vector<std::pair<std::string, Stepping>> rungs;
+  if (Stepping::name == "auto") return rungs;  // One of the others.
   if constexpr (requires(Stepping s) { s.relative_tolerance; }) {
     for (int power = 3; power <= 11; ++power) {
       Stepping stepping;
