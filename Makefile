@@ -23,9 +23,9 @@ test: test-configure  ## installs what is missing, builds everything and runs al
 build: configure  ## builds the program
 	@cmake --build $(BUILD) --target peritherm_program --parallel $(JOBS)
 
-bench: test-configure  ## builds and runs the benchmarks
+bench: test-configure  ## builds and runs the benchmarks; BENCH="--quick --only crack" chooses
 	@cmake --build $(BUILD) --target peritherm_bench --parallel $(JOBS)
-	@$(BUILD)/bench/peritherm_bench
+	@$(BUILD)/bench/peritherm_bench --json $(BUILD)/bench.json $(BENCH)
 
 format:  ## formats all C++ files
 	@clang-format -i $(SOURCES)

@@ -1,33 +1,55 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "peritherm/operators/precision.hpp"
 #include "peritherm/simulation/assemble.hpp"
 
 namespace peritherm::bench {
 
-/// A square plate (or bar, or cube) of unit length, held at 1 and 0 on two opposite faces, with m = horizon/spacing.
-inline Problem body(int dimension, int cells, double ratio, BackendName backend, bool cracked) {
-  Problem problem;
-  problem.body.size.assign(static_cast<std::size_t>(dimension), 1.0);
-  problem.body.cells = std::vector<int>(static_cast<std::size_t>(dimension), cells);
-  problem.body.material = "unit";
-  problem.materials["unit"] = {1.0, 1.0, 1.0};
-  problem.nonlocality.horizon_ratio = ratio;
-  // Every point within the horizon counts in full, so that numbers of bonds compare with those of other programs.
-  problem.nonlocality.partial_volumes = PartialVolumes::whole;
-  problem.nonlocality.kernel.form = ConstantKernel{};
-  problem.numerics.backend = backend;
-  problem.time.end = 0.1;
-  const Face low = make_face(dimension - 1, false), high = make_face(dimension - 1, true);
-  problem.boundaries.push_back({high, std::nullopt, HeldTemperature{Profile(1.0), Imposed::mirror, std::nullopt}});
-  problem.boundaries.push_back({low, std::nullopt, HeldTemperature{Profile(0.0), Imposed::mirror, std::nullopt}});
-  if (cracked && dimension == 2)
-    problem.cracks.push_back({.points = {{0.25, 0.5}, {0.75, 0.5}}, .disc = {}, .tip_speed = {}});
-  if (cracked && dimension == 3) {
-    problem.cracks.push_back({.points = {{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.75, 0.5}, {0.25, 0.75, 0.5}},
-                              .disc = {},
-                              .tip_speed = {}});
-  }
-  return problem;
-}
+/// A plate (or bar, or cube) of unit length, held at 1 and 0 on two opposite faces by mirrored temperatures and
+/// insulated elsewhere. A crack through half of it runs parallel to the held faces.
+struct BodyKind {
+  int dimension = 2;
+  int cells = 64;
+  double ratio = 3.0;  ///< horizon over spacing, m
+  bool cracked = false;
+  BackendName backend = BackendName::stencil;
+  Precision precision = Precision::full;
+};
+Problem make_problem(const BodyKind& kind);
+
+/// True if cases can choose the precision of the sums.
+bool has_precision();
+
+/// "2-D, m = 6.5, 1024^2"
+std::string text_of(const BodyKind& kind);
+
+/// A body with a state, ready to be evaluated.
+class Evaluation {
+ public:
+  /// Throws Error if the backend is not in this build.
+  explicit Evaluation(const BodyKind& kind);
+
+  /// The whole of dT/dt: ghost layer, sum over bonds, corrections, accounts.
+  void run();
+
+  const Assembly& assembly() const { return assembly_; }
+  HeatSystem& system() { return *assembly_.system; }
+  std::vector<double>& state() { return state_; }
+  const std::vector<double>& rate() const { return rate_; }
+  double points() const { return static_cast<double>(assembly_.geometry.body.grid.size()); }
+  double bonds_per_point() const { return static_cast<double>(assembly_.geometry.stencil.entries.size()); }
+  /// Of the operator and of one field.
+  double bytes_per_point() const;
+  /// Multiply-adds per point that remain when mirror images along x and z are added before they are multiplied, the
+  /// centre included.
+  double folded_multiplies() const;
+
+ private:
+  Assembly assembly_;
+  std::vector<double> state_, rate_;
+};
 
 }  // namespace peritherm::bench

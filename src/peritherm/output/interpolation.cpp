@@ -31,7 +31,7 @@ Cell find_cell(const Grid& grid, const Point& place) {
 
 }  // namespace
 
-double interpolate(const Grid& grid, ConstField field, const Point& place) {
+double interpolate(const Grid& grid, const PointValues& field, const Point& place) {
   const Cell cell = find_cell(grid, place);
   double sum = 0.0;
   double nearest = std::numeric_limits<double>::quiet_NaN();

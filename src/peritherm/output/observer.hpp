@@ -11,6 +11,7 @@
 #include "peritherm/base/describe.hpp"
 #include "peritherm/base/field.hpp"
 #include "peritherm/discretisation/grid.hpp"
+#include "peritherm/discretisation/point_values.hpp"
 
 namespace peritherm {
 
@@ -27,13 +28,14 @@ struct Snapshot {
   double time = 0.0;  ///< [s]
   const Grid& grid;
   std::string title;
-  ConstField temperature;                   ///< [K] or [°C], held points included
+  PointValues temperature;                  ///< [K] or [°C], held points included
   std::span<const std::uint8_t> materials;  ///< no_material (255) where cut away
   std::vector<std::string> material_names;
-  std::function<std::vector<Point>()> heat_flux;  ///< [W/m²]; computed when asked for
-  std::function<std::vector<double>()> damage;    ///< share of cut bonds, 0 to 1; computed when asked for
-  std::vector<std::vector<Point>> cracks;         ///< outlines now: polylines, in 3-D closed polygons
-  double stored_heat = 0.0;                       ///< Σ C T over the free points [J]
+  /// Computes the heat flux [W/m²] of the points first, first + 1, …; may be called by several threads at a time.
+  std::function<void(std::size_t first, std::span<Point> flux)> heat_flux;
+  std::function<std::vector<double>()> damage;  ///< share of cut bonds, 0 to 1; computed when asked for
+  std::vector<std::vector<Point>> cracks;       ///< outlines now: polylines, in 3-D closed polygons
+  double stored_heat = 0.0;                     ///< Σ C T over the free points [J]
   std::vector<HeatAccount> accounts;
 };
 
@@ -65,13 +67,25 @@ struct EnumNames<AxisName> {
       {{AxisName::x, "x"}, {AxisName::y, "y"}, {AxisName::z, "z"}}};
 };
 
+/// What numbers of a file are written in.
+enum class NumberFormat { full, single };
+
+template <>
+struct EnumNames<NumberFormat> {
+  static constexpr std::array<std::pair<NumberFormat, std::string_view>, 2> values{
+      {{NumberFormat::full, "double"}, {NumberFormat::single, "single"}}};
+};
+
 /// fields.pvd and fields/*.vti, which ParaView opens.
 struct VtkOutput {
   std::vector<FieldName> fields{FieldName::temperature, FieldName::heat_flux, FieldName::damage, FieldName::material};
+  NumberFormat precision = NumberFormat::full;
   static constexpr std::string_view name = "vtk";
   static constexpr std::string_view help = "fields.pvd with fields/*.vti for ParaView";
   static constexpr auto options() {
-    return std::tuple{optional("fields", &VtkOutput::fields, "which fields to write")};
+    return std::tuple{optional("fields", &VtkOutput::fields, "which fields to write"),
+                      optional("precision", &VtkOutput::precision,
+                               "of the numbers in the files; single: seven digits, half the size or less")};
   }
   bool operator==(const VtkOutput&) const = default;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "peritherm/output/labels.hpp"
 
@@ -22,10 +24,26 @@ PlaneAxes plane_axes(const Grid& grid, AxisName normal) {
 
 using ValueAt = std::function<double(std::size_t)>;
 
+double size_of(const Point& flux) { return std::hypot(flux[0], flux[1], flux[2]); }
+
+/// A slice of a cube needs the flux of few points; a plate that of all.
+ValueAt flux_values(const Snapshot& snapshot) {
+  if (snapshot.grid.dimension == 3) {
+    return [&snapshot](std::size_t i) {
+      Point flux{};
+      snapshot.heat_flux(i, std::span(&flux, 1));
+      return size_of(flux);
+    };
+  }
+  std::vector<Point> flux(snapshot.grid.size());
+  snapshot.heat_flux(0, flux);
+  return [flux = std::move(flux)](std::size_t i) { return size_of(flux[i]); };
+}
+
 ValueAt field_values(const Snapshot& snapshot, FieldName field) {
   switch (field) {
     case FieldName::heat_flux:
-      return [flux = snapshot.heat_flux()](std::size_t i) { return std::hypot(flux[i][0], flux[i][1], flux[i][2]); };
+      return flux_values(snapshot);
     case FieldName::damage:
       return [damage = snapshot.damage()](std::size_t i) { return damage[i]; };
     case FieldName::material:

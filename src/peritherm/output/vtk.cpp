@@ -1,9 +1,11 @@
+#include <omp.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "peritherm/base/error.hpp"
@@ -16,29 +18,36 @@ namespace peritherm {
 namespace {
 
 constexpr std::uint8_t cut_away = 255;  // The material of points outside the body.
-constexpr std::size_t block_bytes = std::size_t{1} << 18;
-constexpr int offset_digits = 20;  // Room for the position of an array, which is known only after writing.
+// Holds whole vectors of three numbers of either format.
+constexpr std::size_t block_bytes = std::size_t{3} << 16;
+constexpr std::size_t blocks_per_thread = 8;  // That are in memory at a time.
+constexpr int offset_digits = 20;             // Room for the position of an array, which is known only after writing.
 
 void write_words(std::ostream& out, const std::vector<std::uint64_t>& words) {
   out.write(reinterpret_cast<const char*>(words.data()), static_cast<std::streamsize>(words.size() * sizeof(words[0])));
 }
 
-void write_compressed(std::ostream& out, const void* data, std::size_t bytes, std::vector<unsigned char>& scratch,
-                      std::uint64_t& compressed_bytes) {
-  uLongf length = compressBound(static_cast<uLong>(bytes));
-  scratch.resize(length);
-  // Higher levels cost several times the time and hardly shrink doubles further.
-  if (compress2(scratch.data(), &length, static_cast<const Bytef*>(data), static_cast<uLong>(bytes), 1) != Z_OK) {
-    throw Error("zlib cannot compress a field", "Free some memory", Fault::machine);
-  }
-  compressed_bytes = length;
-  out.write(reinterpret_cast<const char*>(scratch.data()), static_cast<std::streamsize>(length));
-}
+/// A part of an array, before and after compression.
+template <class Number>
+struct Block {
+  std::vector<Number> values = std::vector<Number>(block_bytes / sizeof(Number));
+  std::vector<unsigned char> bytes = std::vector<unsigned char>(compressBound(static_cast<uLong>(block_bytes)));
+  std::size_t length = 0;  ///< of the compressed bytes; 0: compression failed
 
-/// Writes `count` values as VTK's compressed array: number of blocks, bytes of a block, bytes of a last shorter block
-/// or 0, compressed bytes of every block, blocks. One block at a time is in memory.
-template <class Number, class ValueAt>
-void write_array(std::ostream& out, std::size_t count, const ValueAt& value_at) {
+  void compress(std::size_t count) {
+    uLongf compressed = static_cast<uLongf>(bytes.size());
+    // Higher levels cost several times the time and hardly shrink doubles further.
+    const int state = compress2(bytes.data(), &compressed, reinterpret_cast<const Bytef*>(values.data()),
+                                static_cast<uLong>(count * sizeof(Number)), 1);
+    length = state == Z_OK ? compressed : 0;
+  }
+};
+
+/// Writes `count` numbers as VTK's compressed array: number of blocks, bytes of a block, bytes of a last shorter block
+/// or 0, compressed bytes of every block, blocks. `fill(first, numbers)` is asked for a block at a time, by several
+/// threads; a few blocks are in memory.
+template <class Number, class Fill>
+void write_array(std::ostream& out, std::size_t count, const Fill& fill) {
   constexpr std::size_t per_block = block_bytes / sizeof(Number);
   const std::size_t blocks = (count + per_block - 1) / per_block;
   std::vector<std::uint64_t> header(3 + blocks);
@@ -47,13 +56,21 @@ void write_array(std::ostream& out, std::size_t count, const ValueAt& value_at) 
   header[2] = count % per_block * sizeof(Number);
   const auto begin = out.tellp();
   write_words(out, header);
-  std::vector<Number> values;
-  std::vector<unsigned char> scratch;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    const std::size_t last = std::min(count, (block + 1) * per_block);
-    values.clear();
-    for (std::size_t i = block * per_block; i < last; ++i) values.push_back(value_at(i));
-    write_compressed(out, values.data(), values.size() * sizeof(Number), scratch, header[3 + block]);
+  std::vector<Block<Number>> batch(
+      std::min(blocks, blocks_per_thread * static_cast<std::size_t>(omp_get_max_threads())));
+  for (std::size_t done = 0; done < blocks; done += batch.size()) {
+    const std::size_t ready = std::min(batch.size(), blocks - done);
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t b = 0; b < ready; ++b) {
+      const std::size_t first = (done + b) * per_block, length = std::min(per_block, count - first);
+      fill(first, std::span(batch[b].values).first(length));
+      batch[b].compress(length);
+    }
+    for (std::size_t b = 0; b < ready; ++b) {
+      if (batch[b].length == 0) throw Error("zlib cannot compress a field", "Free some memory", Fault::machine);
+      header[3 + done + b] = batch[b].length;
+      out.write(reinterpret_cast<const char*>(batch[b].bytes.data()), static_cast<std::streamsize>(batch[b].length));
+    }
   }
   const auto end = out.tellp();
   out.seekp(begin);
@@ -61,31 +78,57 @@ void write_array(std::ostream& out, std::size_t count, const ValueAt& value_at) 
   out.seekp(end);
 }
 
-void write_field(std::ostream& out, const Snapshot& snapshot, FieldName field) {
-  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+template <class Number>
+void write_temperature(std::ostream& out, const Snapshot& snapshot) {
+  write_array<Number>(out, snapshot.grid.size(), [&](std::size_t first, std::span<Number> numbers) {
+    std::vector<double> values(numbers.size());
+    snapshot.temperature.copy(first, values);
+    std::copy(values.begin(), values.end(), numbers.begin());
+  });
+}
+
+template <class Number>
+void write_heat_flux(std::ostream& out, const Snapshot& snapshot) {
+  write_array<Number>(out, 3 * snapshot.grid.size(), [&](std::size_t first, std::span<Number> numbers) {
+    std::vector<Point> flux(numbers.size() / 3);
+    snapshot.heat_flux(first / 3, flux);
+    for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = static_cast<Number>(flux[k / 3][k % 3]);
+  });
+}
+
+template <class Number>
+void write_damage(std::ostream& out, const Snapshot& snapshot) {
   const auto materials = snapshot.materials;
-  const std::size_t count = snapshot.grid.size();
-  const auto present = [materials](std::size_t i) { return materials.empty() || materials[i] != cut_away; };
+  const std::vector<double> damage = snapshot.damage();
+  write_array<Number>(out, snapshot.grid.size(), [&](std::size_t first, std::span<Number> numbers) {
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const bool present = materials.empty() || materials[first + k] != cut_away;
+      numbers[k] = present ? static_cast<Number>(damage[first + k]) : std::numeric_limits<Number>::quiet_NaN();
+    }
+  });
+}
+
+void write_materials(std::ostream& out, const Snapshot& snapshot) {
+  const auto materials = snapshot.materials;
+  write_array<std::int32_t>(out, snapshot.grid.size(), [&](std::size_t first, std::span<std::int32_t> numbers) {
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const std::uint8_t material = materials.empty() ? std::uint8_t{0} : materials[first + k];
+      numbers[k] = material == cut_away ? -1 : material;
+    }
+  });
+}
+
+template <class Number>
+void write_field(std::ostream& out, const Snapshot& snapshot, FieldName field) {
   switch (field) {
     case FieldName::temperature:
-      write_array<double>(out, count,
-                          [&](std::size_t i) { return present(i) ? snapshot.temperature[i] : not_a_number; });
-      break;
-    case FieldName::heat_flux: {
-      const std::vector<Point> flux = snapshot.heat_flux();
-      write_array<double>(out, 3 * count,
-                          [&](std::size_t k) { return present(k / 3) ? flux[k / 3][k % 3] : not_a_number; });
-      break;
-    }
-    case FieldName::damage: {
-      const std::vector<double> damage = snapshot.damage();
-      write_array<double>(out, count, [&](std::size_t i) { return present(i) ? damage[i] : not_a_number; });
-      break;
-    }
+      return write_temperature<Number>(out, snapshot);
+    case FieldName::heat_flux:
+      return write_heat_flux<Number>(out, snapshot);
+    case FieldName::damage:
+      return write_damage<Number>(out, snapshot);
     case FieldName::material:
-      write_array<std::int32_t>(out, count,
-                                [&](std::size_t i) { return present(i) ? std::int32_t{materials[i]} : -1; });
-      break;
+      return write_materials(out, snapshot);
   }
 }
 
@@ -126,14 +169,19 @@ std::string point_data_text(const std::vector<FieldName>& fields) {
   return text + ">\n";
 }
 
-void write_image(std::ostream& out, const Snapshot& snapshot, const std::vector<FieldName>& fields) {
+std::string_view type_of(FieldName field, NumberFormat precision) {
+  if (field == FieldName::material) return "Int32";
+  return precision == NumberFormat::full ? "Float64" : "Float32";
+}
+
+void write_image(std::ostream& out, const Snapshot& snapshot, const std::vector<FieldName>& fields,
+                 NumberFormat precision) {
   write_image_head(out, snapshot);
   out << point_data_text(fields);
   std::vector<std::ostream::pos_type> places;
   for (const FieldName field : fields) {
-    out << "<DataArray type=\"" << (field == FieldName::material ? "Int32" : "Float64") << "\" Name=\""
-        << name_of(field) << "\" NumberOfComponents=\"" << (field == FieldName::heat_flux ? 3 : 1)
-        << "\" format=\"appended\" offset=\"";
+    out << "<DataArray type=\"" << type_of(field, precision) << "\" Name=\"" << name_of(field)
+        << "\" NumberOfComponents=\"" << (field == FieldName::heat_flux ? 3 : 1) << "\" format=\"appended\" offset=\"";
     places.push_back(out.tellp());
     out << std::string(offset_digits, ' ') << "/>\n";
   }
@@ -144,14 +192,16 @@ void write_image(std::ostream& out, const Snapshot& snapshot, const std::vector<
     out.seekp(places[i]);
     out << std::to_string(here - begin) << '"';
     out.seekp(here);
-    write_field(out, snapshot, fields[i]);
+    precision == NumberFormat::full ? write_field<double>(out, snapshot, fields[i])
+                                    : write_field<float>(out, snapshot, fields[i]);
   }
   out << "\n</AppendedData>\n</VTKFile>\n";
 }
 
 class VtkObserver final : public Observer {
  public:
-  VtkObserver(const VtkOutput& options, std::filesystem::path folder) : folder_(std::move(folder)) {
+  VtkObserver(const VtkOutput& options, std::filesystem::path folder)
+      : precision_(options.precision), folder_(std::move(folder)) {
     for (const FieldName field : options.fields) {
       if (std::find(fields_.begin(), fields_.end(), field) == fields_.end()) fields_.push_back(field);
     }
@@ -160,7 +210,7 @@ class VtkObserver final : public Observer {
   void observe(const Snapshot& snapshot) override {
     make_folder(folder_ / "fields");
     const std::string name = member(count_);
-    write_file(folder_ / name, [&](std::ostream& out) { write_image(out, snapshot, fields_); });
+    write_file(folder_ / name, [&](std::ostream& out) { write_image(out, snapshot, fields_, precision_); });
     ++count_;
     entries_ += "<DataSet timestep=\"" + exact_text(snapshot.time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
     write_file(folder_ / "fields.pvd",
@@ -179,6 +229,7 @@ class VtkObserver final : public Observer {
   static std::string member(int number) { return "fields/" + four_digits(number) + ".vti"; }
 
   std::vector<FieldName> fields_;
+  NumberFormat precision_;
   std::filesystem::path folder_;
   int count_ = 0;
   std::string entries_;

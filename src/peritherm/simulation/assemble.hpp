@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -67,5 +68,7 @@ std::vector<HeatedPart> make_sources(const Problem& problem, const Geometry& geo
 /// Heat flux vector at every point [W/m²], NaN where cut away: one-sided in 1-D [bobaru2010, eq. 12], from the hotter
 /// neighbours in 2-D and 3-D [bobaru2012, eq. 7]; it points from hot to cold. `state` must be filled.
 std::vector<Point> heat_flux(const Assembly& assembly, ConstField state);
+/// The same for the points first, first + 1, … only.
+void heat_flux(const Assembly& assembly, ConstField state, std::size_t first, std::span<Point> flux);
 
 }  // namespace peritherm

@@ -23,29 +23,34 @@ Point flux_at(const Assembly& assembly, ConstField state, std::size_t entry, dou
 
 }  // namespace
 
-std::vector<Point> heat_flux(const Assembly& assembly, ConstField state) {
+void heat_flux(const Assembly& assembly, ConstField state, std::size_t first, std::span<Point> flux) {
   const Body& body = assembly.geometry.body;
   const Grid& grid = body.grid;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Point> result(grid.size(), Point{nan, nan, nan});
-#pragma omp parallel for schedule(static)
-  for (std::size_t n = 0; n < result.size(); ++n) {
-    if (body.material_of[n] == no_material) continue;
-    const GridIndex p = grid.index(n);
+#pragma omp parallel for schedule(static) if (flux.size() > 64)
+  for (std::size_t k = 0; k < flux.size(); ++k) {
+    flux[k] = {nan, nan, nan};
+    if (body.material_of[first + k] == no_material) continue;
+    const GridIndex p = grid.index(first + k);
     const std::size_t entry = assembly.layout.entry(p);
     const double volume = grid.cell_volume() * grid.volume_share(p);
     if (grid.dimension == 1) {
       // The family to the right, unless the bar ends within it and nothing mirrors it there.
       const bool ends = body.walls[1].open && p[0] + assembly.geometry.stencil.radius >= grid.count(0);
       const int side = ends ? -1 : 1;
-      result[n] = flux_at(assembly, state, entry, volume,
-                          [side](double, const GridIndex& offset) { return offset[0] * side > 0; });
+      flux[k] = flux_at(assembly, state, entry, volume,
+                        [side](double, const GridIndex& offset) { return offset[0] * side > 0; });
     } else {
-      result[n] =
+      flux[k] =
           flux_at(assembly, state, entry, volume, [](double difference, const GridIndex&) { return difference > 0.0; });
     }
   }
-  return result;
+}
+
+std::vector<Point> heat_flux(const Assembly& assembly, ConstField state) {
+  std::vector<Point> flux(assembly.geometry.body.grid.size());
+  heat_flux(assembly, state, 0, flux);
+  return flux;
 }
 
 }  // namespace peritherm

@@ -88,19 +88,14 @@ class Gallery {
     system.begin_step(time, time);
     system.fill(time, state);
     const Body& body = assembly_.geometry.body;
-    std::vector<double> temperature(body.grid.size());
-    assembly_.layout.gather(state, temperature);
-    for (std::size_t n = 0; n < temperature.size(); ++n) {
-      if (body.material_of[n] == no_material) temperature[n] = std::numeric_limits<double>::quiet_NaN();
-    }
     const Snapshot snapshot{
         .time = time,
         .grid = body.grid,
         .title = problem_.title,
-        .temperature = temperature,
+        .temperature = PointValues(assembly_.layout, state, body.material_of),
         .materials = body.material_of,
         .material_names = assembly_.geometry.material_names,
-        .heat_flux = [&] { return heat_flux(assembly_, state); },
+        .heat_flux = [&](std::size_t first, std::span<Point> flux) { heat_flux(assembly_, state, first, flux); },
         .damage = [&] { return damage(body, assembly_.geometry.stencil, cuts(), time); },
         .cracks = outlines(time),
         .stored_heat = system.stored_heat(state),

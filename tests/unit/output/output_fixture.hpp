@@ -34,10 +34,11 @@ struct SampleBody {
             temperature,
             materials,
             {"steel", "copper"},
-            [this] {
-              std::vector<Point> flux;
-              for (const double t : temperature) flux.push_back({t, 2.0 * t, 3.0 * t});
-              return flux;
+            [this](std::size_t first, std::span<Point> flux) {
+              for (std::size_t k = 0; k < flux.size(); ++k) {
+                const double t = temperature[first + k];
+                flux[k] = {t, 2.0 * t, 3.0 * t};
+              }
             },
             [this] {
               std::vector<double> damage;

@@ -1,3 +1,5 @@
+#include <omp.h>
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -78,6 +80,67 @@ TEST_F(Vtk, a_written_file_reads_back_bit_by_bit) {
       image.arrays[2], [&](std::size_t i) { return t[i] / 1000.0; }, t.size());
   expect_same(
       image.arrays[3], [&](std::size_t i) { return std::isnan(t[i]) ? -1.0 : 0.0; }, t.size());
+}
+
+/// A body of 30,613 points: several blocks of every array, the last one shorter, and blocks that end inside rows.
+SampleBody body_of_several_blocks() {
+  return {Grid{3, 0.1, {31, 29, 34}, {0.0, -2.0, 1.0}, PointPlacement::centres}, hole_sample};
+}
+
+TEST_F(Vtk, single_precision_rounds_every_number_once_and_reads_back) {
+  const SampleBody body = body_of_several_blocks();
+  VtkOutput options{{FieldName::temperature, FieldName::heat_flux, FieldName::damage}, NumberFormat::single};
+  make_observer(options, folder_)->observe(body.snapshot(0.1));
+  const ReadImage image = read_with_vtk(folder_ / "fields" / "0000.vti");
+  if (!image.available) GTEST_SKIP() << "python3-vtk9";
+  ASSERT_TRUE(image.readable) << image.head;
+  ASSERT_EQ(image.names, (std::vector<std::string>{"temperature float 1", "heat_flux float 3", "damage float 1"}));
+  const auto& t = body.temperature;
+  const auto rounded = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+  expect_same(
+      image.arrays[0], [&](std::size_t i) { return rounded(t[i]); }, t.size());
+  expect_same(
+      image.arrays[1], [&](std::size_t k) { return rounded(static_cast<double>(k % 3 + 1) * t[k / 3]); }, 3 * t.size());
+  expect_same(
+      image.arrays[2], [&](std::size_t i) { return rounded(t[i] / 1000.0); }, t.size());
+}
+
+TEST_F(Vtk, temperatures_are_read_where_they_lie_in_a_padded_field) {
+  const SampleBody body = body_of_several_blocks();
+  const PaddedGrid layout(body.grid, 3);
+  std::vector<double> padded(layout.size(), 1e300);
+  layout.for_rows([&](std::size_t entry, std::size_t number, std::size_t length) {
+    for (std::size_t x = 0; x < length; ++x) {
+      const bool present = body.materials[number + x] != 255;
+      padded[entry + x] = present ? body.temperature[number + x] : -1e300;
+    }
+  });
+  Snapshot snapshot = body.snapshot(0.1);
+  const auto write = [&](const std::string& folder) {
+    make_observer(VtkOutput{{FieldName::temperature}}, folder_ / folder)->observe(snapshot);
+    return read(folder_ / folder / "fields" / "0000.vti");
+  };
+  const std::string dense = write("dense");
+  snapshot.temperature = PointValues(layout, padded, body.materials);
+  EXPECT_TRUE(write("padded") == dense);
+  for (const std::size_t n : {std::size_t{0}, std::size_t{31}, std::size_t{31 * 29 + 5}, body.grid.size() - 1}) {
+    const double value = snapshot.temperature[n];
+    EXPECT_TRUE(std::isnan(body.temperature[n]) ? std::isnan(value) : value == body.temperature[n]) << n;
+  }
+}
+
+TEST_F(Vtk, files_do_not_depend_on_the_number_of_threads) {
+  const SampleBody body = body_of_several_blocks();
+  std::string first;
+  for (const int threads : {1, 3}) {
+    omp_set_num_threads(threads);
+    const auto folder = folder_ / std::to_string(threads);
+    make_observer(VtkOutput{}, folder)->observe(body.snapshot(0.1));
+    const std::string text = read(folder / "fields" / "0000.vti");
+    if (first.empty()) first = text;
+    EXPECT_TRUE(text == first);
+  }
+  omp_set_num_threads(omp_get_num_procs());
 }
 
 TEST_F(Vtk, a_plate_with_points_on_its_boundary_is_flat_and_begins_at_its_corner) {
