@@ -8,11 +8,10 @@
 namespace peritherm {
 namespace {
 
-constexpr int bar_tile = 4096;      // points of a bar that one task works on
-constexpr int plate_tile = 2048;    // columns of a plate whose surrounding rows stay in the second cache
-constexpr int solid_tile = 256;     // the same for a solid, through whose planes one task walks
-constexpr int solid_depth = 16;     // planes of that walk
-constexpr int strip_columns = 128;  // columns whose sums are handed out together
+constexpr int bar_tile = 4096;    // points of a bar that one task works on
+constexpr int plate_tile = 2048;  // columns of a plate whose surrounding rows stay in the second cache
+constexpr int solid_tile = 256;   // the same for a solid, through whose planes one task walks
+constexpr int solid_depth = 16;   // planes of that walk
 
 /// One thread's room; it is kept between evaluations.
 template <class Scalar>
@@ -92,8 +91,10 @@ class DirectSum final : public StencilSum {
             std::min(depth(), grid.count(2) - z)};
   }
 
+  /// Columns whose sums are handed out together; narrowing reads long runs faster.
+  int strip_columns() const { return band_rows() > block_.rows ? 512 : 128; }
   /// Room for whole steps of the kernels.
-  int sums_stride() const { return strip_columns + block_.columns; }
+  int sums_stride() const { return strip_columns() + block_.columns; }
 
   /// The last block of an axis ends with the grid, so that it finds as many rows as it needs if there are enough.
   int first_row_of_block(int y) const { return std::max(0, std::min(y, layout_.grid().count(1) - block_.rows)); }
@@ -109,8 +110,8 @@ class DirectSum final : public StencilSum {
     double* const sums = workspace.sums.at_least(static_cast<std::size_t>(block_.rows * stride));
     const int end = tile.first[1] + tile.rows;
     const int first = first_row_of_block(tile.first[1]);
-    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += strip_columns) {
-      const int width = std::min(strip_columns, tile.first[0] + tile.width - x);
+    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += strip_columns()) {
+      const int width = std::min(strip_columns(), tile.first[0] + tile.width - x);
       workspace.sources.enter(sweep, {{x, first, tile.first[2]},
                                       pieces(width, block_.columns) * block_.columns,
                                       std::max(end - first, block_.rows),
@@ -130,8 +131,8 @@ class DirectSum final : public StencilSum {
   void sum_solid(const Sweep& sweep, const RowSink& sink, const Tile& tile, Workspace<Scalar>& workspace) const {
     double* const sums = workspace.sums.at_least(static_cast<std::size_t>(block_.rows * sums_stride()));
     const int first = first_row_of_block(tile.first[1]);
-    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += strip_columns) {
-      const int width = std::min(strip_columns, tile.first[0] + tile.width - x);
+    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += strip_columns()) {
+      const int width = std::min(strip_columns(), tile.first[0] + tile.width - x);
       const int computed = pieces(width, block_.columns) * block_.columns;
       workspace.sources.enter(sweep, {{x, first, tile.first[2]}, computed, block_.rows, tile.depth});
       for (int z = 0; z < tile.depth; ++z) {
