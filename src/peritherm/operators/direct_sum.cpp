@@ -8,12 +8,10 @@
 namespace peritherm {
 namespace {
 
-constexpr int bar_strip = 4096;    // points of a bar that one task works on
-constexpr int widest_tile = 2048;  // columns of a plate whose surrounding rows stay in the second cache
-constexpr int solid_depth = 16;  // planes that one task walks through; what it walks through stays in the second cache
-constexpr int solid_tile = 256;  // and so many columns
-constexpr int sums_columns = 128;  // columns of a plate whose sums are handed out together
-constexpr int solid_sums_columns = 64;
+constexpr int bar_tile = 4096;    // points of a bar that one task works on
+constexpr int plate_tile = 2048;  // columns of a plate whose surrounding rows stay in the second cache
+constexpr int solid_tile = 256;   // the same for a solid, through whose planes one task walks
+constexpr int solid_depth = 16;   // planes of that walk
 
 /// One thread's room; it is kept between evaluations.
 template <class Scalar>
@@ -45,29 +43,24 @@ class DirectSum final : public StencilSum {
                                             : source_kernels_of<Scalar>(kernels_).block) {}
 
   void sum(ConstField temperature, const RowSink& sink) const override {
-    const Grid& grid = layout_.grid();
     const Sweep sweep{program_, layout_, kernels_, temperature.data()};
-    const bool solid = grid.dimension == 3;
-    const int tile = solid ? solid_tile : grid.dimension == 2 ? widest_tile : bar_strip;
-    const int depth = solid ? solid_depth : 1;
-    const int bands = pieces(grid.count(1), band_rows());
-    const int tasks = bands * pieces(grid.count(2), depth);
-    const int tiles = pieces(grid.count(0), tile);
+    const Grid& grid = layout_.grid();
+    const int tiles = pieces(grid.count(0), tile_columns());
+    const int tasks = pieces(grid.count(1), band_rows()) * pieces(grid.count(2), depth());
 #pragma omp parallel
     {
       thread_local Workspace<Scalar> workspace;
-      // Every tile is shared out alike, so that a thread stays with its rows and planes.
-      for (int x = 0; x < (grid.dimension == 1 ? 1 : tiles); ++x) {
+      if (grid.dimension == 1) {
+#pragma omp for schedule(static)
+        for (int tile = 0; tile < tiles; ++tile) sum_flat(sweep, sink, tile_of(tile, 0), workspace);
+      } else {
+        // Every tile is shared out alike, so that a thread stays with its rows and planes.
+        for (int tile = 0; tile < tiles; ++tile) {
 #pragma omp for schedule(static) nowait
-        for (int task = 0; task < (grid.dimension == 1 ? tiles : tasks); ++task) {
-          const int column = (grid.dimension == 1 ? task : x) * tile;
-          const int y = grid.dimension == 1 ? 0 : task % bands * band_rows();
-          const int z = grid.dimension == 1 ? 0 : task / bands * depth;
-          const Tile piece{{column, y, z},
-                           std::min(tile, grid.count(0) - column),
-                           std::min(band_rows(), grid.count(1) - y),
-                           std::min(depth, grid.count(2) - z)};
-          solid ? sum_solid(sweep, sink, piece, workspace) : sum_flat(sweep, sink, piece, workspace);
+          for (int task = 0; task < tasks; ++task) {
+            const Tile piece = tile_of(tile, task);
+            grid.dimension == 2 ? sum_flat(sweep, sink, piece, workspace) : sum_solid(sweep, sink, piece, workspace);
+          }
         }
       }
     }
@@ -82,6 +75,27 @@ class DirectSum final : public StencilSum {
     return narrows ? 4 * block_.rows : block_.rows;
   }
 
+  int tile_columns() const {
+    const int dimension = layout_.grid().dimension;
+    return dimension == 1 ? bar_tile : dimension == 2 ? plate_tile : solid_tile;
+  }
+  int depth() const { return layout_.grid().dimension == 3 ? solid_depth : 1; }
+
+  Tile tile_of(int tile, int task) const {
+    const Grid& grid = layout_.grid();
+    const int bands = pieces(grid.count(1), band_rows());
+    const int x = tile * tile_columns(), y = task % bands * band_rows(), z = task / bands * depth();
+    return {{x, y, z},
+            std::min(tile_columns(), grid.count(0) - x),
+            std::min(band_rows(), grid.count(1) - y),
+            std::min(depth(), grid.count(2) - z)};
+  }
+
+  /// Columns whose sums are handed out together; narrowing reads long runs faster.
+  int strip_columns() const { return band_rows() > block_.rows ? 512 : 128; }
+  /// Room for whole steps of the kernels.
+  int sums_stride() const { return strip_columns() + block_.columns; }
+
   /// The last block of an axis ends with the grid, so that it finds as many rows as it needs if there are enough.
   int first_row_of_block(int y) const { return std::max(0, std::min(y, layout_.grid().count(1) - block_.rows)); }
 
@@ -92,12 +106,12 @@ class DirectSum final : public StencilSum {
   }
 
   void sum_flat(const Sweep& sweep, const RowSink& sink, const Tile& tile, Workspace<Scalar>& workspace) const {
-    const int stride = sums_columns + block_.columns;
+    const int stride = sums_stride();
     double* const sums = workspace.sums.at_least(static_cast<std::size_t>(block_.rows * stride));
     const int end = tile.first[1] + tile.rows;
     const int first = first_row_of_block(tile.first[1]);
-    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += sums_columns) {
-      const int width = std::min(sums_columns, tile.first[0] + tile.width - x);
+    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += strip_columns()) {
+      const int width = std::min(strip_columns(), tile.first[0] + tile.width - x);
       workspace.sources.enter(sweep, {{x, first, tile.first[2]},
                                       pieces(width, block_.columns) * block_.columns,
                                       std::max(end - first, block_.rows),
@@ -106,32 +120,28 @@ class DirectSum final : public StencilSum {
       for (int y = tile.first[1]; y < end; y += block_.rows) {
         const int block = first_row_of_block(y);
         const SourcePlane<Scalar> plane{source.first + (block - first) * source.stride, source.stride,
-                                        block_.columns + 8};
+                                        block_.columns + columns_beyond};
         block_.sum(program_, &plane, width, sums, stride);
         hand_out(sink, sums, stride, block, y, std::min(end, y + block_.rows), x, tile.first[2], width);
       }
     }
   }
 
-  /// Block by block along x; each walks through the planes, so that it finds all but the newest in the nearest cache.
+  /// Strip by strip along x; each walks through the planes, so that it finds all but the newest in the nearest caches.
   void sum_solid(const Sweep& sweep, const RowSink& sink, const Tile& tile, Workspace<Scalar>& workspace) const {
-    const std::ptrdiff_t stride = solid_sums_columns, plane_stride = stride * block_.rows;
-    double* const sums = workspace.sums.at_least(static_cast<std::size_t>(plane_stride * tile.depth));
+    double* const sums = workspace.sums.at_least(static_cast<std::size_t>(block_.rows * sums_stride()));
     const int first = first_row_of_block(tile.first[1]);
-    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += solid_sums_columns) {
-      const int width = std::min(solid_sums_columns, tile.first[0] + tile.width - x);
-      for (int column = 0; column < width; column += block_.columns) {
-        workspace.sources.enter(sweep, {{x + column, first, tile.first[2]}, block_.columns, block_.rows, tile.depth});
-        for (int z = 0; z < tile.depth; ++z) {
-          if (z > 0) workspace.sources.advance(sweep);
-          const SourcePlane<Scalar>* const planes = workspace.folded.fold(
-              sweep, source_kernels_of<Scalar>(kernels_), workspace.sources, 0, block_.columns, block_.rows);
-          block_.sum(program_, planes, block_.columns, sums + z * plane_stride + column, stride);
-        }
-      }
+    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += strip_columns()) {
+      const int width = std::min(strip_columns(), tile.first[0] + tile.width - x);
+      const int computed = pieces(width, block_.columns) * block_.columns;
+      workspace.sources.enter(sweep, {{x, first, tile.first[2]}, computed, block_.rows, tile.depth});
       for (int z = 0; z < tile.depth; ++z) {
-        hand_out(sink, sums + z * plane_stride, stride, first, tile.first[1], tile.first[1] + tile.rows, x,
-                 tile.first[2] + z, width);
+        if (z > 0) workspace.sources.advance(sweep);
+        const SourcePlane<Scalar>* const planes =
+            workspace.folded.fold(sweep, source_kernels_of<Scalar>(kernels_), workspace.sources, computed, block_.rows);
+        block_.sum(program_, planes, width, sums, sums_stride());
+        hand_out(sink, sums, sums_stride(), first, tile.first[1], tile.first[1] + tile.rows, x, tile.first[2] + z,
+                 width);
       }
     }
   }

@@ -50,8 +50,10 @@ using RowKernel = void (*)(const double* sums, double factor, const Term* terms,
 /// target[x] += a_weight · a[x] + b_weight · b[x].
 using AccumulateKernel = void (*)(double a_weight, const double* a, double b_weight, const double* b, int length,
                                   double* target);
-/// out = from − reference, rounded, row by row.
-using NarrowKernel = void (*)(Patch<const double> from, double reference, int rows, int length, Patch<float> out);
+/// out = from − reference, rounded, row by row; reads and writes `length` values of each row, rounded up to whole
+/// vectors of at most `vector_margin` values. `ahead`: distance to what will be read soon.
+using NarrowKernel = void (*)(Patch<const double> from, double reference, int rows, int length, std::ptrdiff_t ahead,
+                              Patch<float> out);
 
 /// The loops that are compiled for several instruction sets.
 struct Kernels {

@@ -126,7 +126,8 @@ class Block {
   template <bool Paired, int Height = 0>
   PERITHERM_INLINE static inline void add_column(Sums& sums, const Sources& sources, const Scalar* weights,
                                                  int height) {
-    if constexpr (2 * Height + 1 < Rows || (weights_fit(Height) && Height < Rows)) {
+    constexpr int tallest = 6;  // taller ones are rare, and each takes room in the instruction cache
+    if constexpr (2 * Height + 1 < Rows || (weights_fit(Height) && Height <= tallest)) {
       if (height == Height) return add_known_column<Paired, Height>(sums, sources, weights);
       return add_column<Paired, Height + 1>(sums, sources, weights, height);
     } else {
@@ -161,9 +162,20 @@ class Block {
     });
   }
 
+  /// Sums in single precision are widened by halves: registers hold no more.
   PERITHERM_INLINE static inline void store(const Vector& values, double* out) {
-    using Out = VectorOf<double, Lanes>;
-    *reinterpret_cast<typename Out::in_memory*>(out) = __builtin_convertvector(values, typename Out::type);
+    if constexpr (std::is_same_v<Scalar, double>) {
+      *reinterpret_cast<typename VectorOf<double, Lanes>::in_memory*>(out) = values;
+    } else {
+      [&]<int... Index>(std::integer_sequence<int, Index...>) PERITHERM_INLINE {
+        using Half = VectorOf<double, Lanes / 2>;
+        auto* const target = reinterpret_cast<typename Half::in_memory*>(out);
+        target[0] = __builtin_convertvector(__builtin_shufflevector(values, values, Index...), typename Half::type);
+        target[1] = __builtin_convertvector(__builtin_shufflevector(values, values, Index + Lanes / 2 ...),
+                                            typename Half::type);
+      }
+      (std::make_integer_sequence<int, Lanes / 2>{});
+    }
   }
 };
 
@@ -181,11 +193,19 @@ void fold(Patch<const Scalar> above, Patch<const Scalar> below, int rows, int le
   }
 }
 
-void narrow(Patch<const double> from, double reference, int rows, int length, Patch<float> out) {
+template <int Lanes>
+void narrow(Patch<const double> from, double reference, int rows, int length, std::ptrdiff_t ahead, Patch<float> out) {
+  using Wide = VectorOf<double, Lanes>;
+  using Narrow = VectorOf<float, Lanes>;
   for (int row = 0; row < rows; ++row) {
-    const double* const values = from.first + row * from.stride;
-    float* const target = out.first + row * out.stride;
-    for (int x = 0; x < length; ++x) target[x] = static_cast<float>(values[x] - reference);
+    for (int x = 0; x < length; x += Lanes) {
+      const typename Wide::type value = *reinterpret_cast<const typename Wide::in_memory*>(from.first + x) - reference;
+      __builtin_prefetch(from.first + x + ahead);
+      *reinterpret_cast<typename Narrow::in_memory*>(out.first + x) =
+          __builtin_convertvector(value, typename Narrow::type);
+    }
+    from.first += from.stride;
+    out.first += out.stride;
   }
 }
 

@@ -6,7 +6,7 @@ const Kernels* kernels_avx512() {
   static constexpr Kernels kernels{"avx512",
                                    source_kernels<double, 8, 10, 2, 32>(),
                                    source_kernels<float, 16, 10, 2, 32>(),
-                                   narrow,
+                                   narrow<8>,
                                    combine_row,
                                    accumulate_row};
   return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")

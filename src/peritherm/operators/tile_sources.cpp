@@ -71,18 +71,19 @@ void TileSources<Scalar>::narrow_plane(const Sweep& sweep, int plane) {
                                radius_;
     float* const to = room_.at_least(0) + (plane + planes_) % planes_ * plane_stride_ + lead_ - radius_;
     sweep.kernels.narrow({from, from_stride}, reference_, tile_.rows + 2 * radius_y, tile_.width + 2 * radius_,
+                         planes_ > 1 ? static_cast<std::ptrdiff_t>(sweep.layout.stride(2)) : 4 * from_stride,
                          {to, stride_});
   }
 }
 
 template <class Scalar>
 const SourcePlane<Scalar>* FoldedPlanes<Scalar>::fold(const Sweep& sweep, const SourceKernels<Scalar>& kernels,
-                                                      const TileSources<Scalar>& sources, int x, int width, int rows) {
+                                                      const TileSources<Scalar>& sources, int width, int rows) {
   const StencilProgram& program = sweep.program;
   planes_.resize(static_cast<std::size_t>(program.planes));
   const Patch<const Scalar> middle = sources.plane(0);
-  const std::ptrdiff_t soon = sources.plane(program.planes).first - middle.first;
-  planes_[0] = {middle.first + x, middle.stride, std::is_same_v<Scalar, double> ? soon : 0};
+  const std::ptrdiff_t ahead = kernels.block.columns + columns_beyond;
+  planes_[0] = {middle.first, middle.stride, ahead};
   constexpr int line = cache_line / sizeof(Scalar);
   const int stride = rounded_up(width + 2 * program.radius, line) + 2 * line + vector_margin;
   const std::ptrdiff_t plane_stride = static_cast<std::ptrdiff_t>(stride) * (rows + 2 * program.radius);
@@ -90,14 +91,14 @@ const SourcePlane<Scalar>* FoldedPlanes<Scalar>::fold(const Sweep& sweep, const 
   for (int d = 1; d < program.planes; ++d) {
     const int reach = program.plane_radius[static_cast<std::size_t>(d)];
     const Patch<const Scalar> above = sources.plane(d), below = sources.plane(-d);
-    const std::ptrdiff_t start = x - reach - reach * above.stride;
+    const std::ptrdiff_t start = -reach - reach * above.stride;
     // From the beginning of a cache line, unless that is outside the field.
     int lead = behind_line(above.first + start);
     if (std::min(above.first, below.first) + start - lead < sources.begin()) lead = 0;
     Scalar* const to = room + d * plane_stride;
     kernels.fold({above.first + start - lead, above.stride}, {below.first + start - lead, below.stride},
                  rows + 2 * reach, lead + width + 2 * reach, {to, stride});
-    planes_[static_cast<std::size_t>(d)] = {to + reach * stride + lead + reach, stride, 0};
+    planes_[static_cast<std::size_t>(d)] = {to + reach * stride + lead + reach, stride, ahead};
   }
   return planes_.data();
 }

@@ -13,6 +13,9 @@ struct Tile {
   int width, rows, depth;
 };
 
+/// Kernels bring into the nearest cache what the next step reads: one step on, and so many columns beyond the last one.
+inline constexpr int columns_beyond = 8;
+
 /// What the kernels of one evaluation have in common.
 struct Sweep {
   const StencilProgram& program;
@@ -64,9 +67,9 @@ class TileSources {
 template <class Scalar>
 class FoldedPlanes {
  public:
-  /// Adds the planes above and below the current one, around `width` × `rows` outputs whose first column is `x`.
+  /// Adds the planes above and below the current one, around `width` × `rows` outputs.
   const SourcePlane<Scalar>* fold(const Sweep& sweep, const SourceKernels<Scalar>& kernels,
-                                  const TileSources<Scalar>& sources, int x, int width, int rows);
+                                  const TileSources<Scalar>& sources, int width, int rows);
 
  private:
   std::vector<SourcePlane<Scalar>> planes_;
