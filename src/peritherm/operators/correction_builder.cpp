@@ -10,7 +10,7 @@ namespace peritherm {
 namespace {
 
 constexpr int longest_segment = BondCorrections::longest_segment;
-constexpr int points_per_block = 512;
+constexpr int points_per_block = 2048;
 constexpr std::int64_t blocks_at_once = 64;  // so many blocks' bonds are held in full before equal ones are shared
 
 using Segment = BondCorrections::Segment;
