@@ -83,6 +83,19 @@ TEST_F(BackendChoiceTest, the_plan_counts_the_memory_of_the_transforms) {
   EXPECT_EQ(backend_bytes(problem, BackendName::fourier, radius, 1), static_cast<double>(sum->bytes()));
 }
 
+TEST_F(BackendChoiceTest, asking_for_transforms_without_fftw_is_a_fault_of_the_case) {
+  Problem problem = unit_body(2, 20, 3.0);
+  problem.numerics.backend = BackendName::fourier;
+  const std::vector<Issue> faults = find_faults(problem);
+  if (fourier_sum_available()) {
+    EXPECT_TRUE(faults.empty());
+    return;
+  }
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].where.key, "numerics.backend");
+  EXPECT_NE(faults[0].hint.find("PERITHERM_FFTW"), std::string::npos) << faults[0].hint;
+}
+
 TEST_F(BackendChoiceTest, what_was_chosen_is_prepared_for_the_run) {
   Problem problem = unit_body(2, 32, 3.0);
   problem.numerics.threads = 1;
