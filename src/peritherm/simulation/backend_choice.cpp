@@ -183,6 +183,8 @@ BackendChoice choose_backend(const Problem& problem, const Stencil& stencil, int
   const Precision precision = problem.numerics.precision;
   while (Contender* const next = next_to_measure(sorted)) {
     const StandIn part = make_stand_in(grid, stencil.radius, precision, next->seconds, most);
+    // One tile is the least that can be timed; where the horizon makes it large, the model must do.
+    if (next->seconds * part.share > 3.0 * most) break;
     next->seconds = timed(part, grid, stencil, next->backend, precision);
     next->measured = true;
     sort_by_time(sorted);
