@@ -65,7 +65,7 @@ double tolerated_norm(const MeasuredBody& stencil, BackendName backend, Precisio
 }
 
 TEST(Precision, every_backend_agrees_with_the_bonds_in_double) {
-  check_for_every_kernel({12, 8, 2}, [](const BodyRequest& request) {
+  check_for_every_kernel({8, 6, 1}, [](const BodyRequest& request) {
     const Problem problem = *random_problem(request);
     const MeasuredBody stencil = measure(problem, BackendName::stencil);
     const MeasuredBody bond = measure(problem, BackendName::bond);

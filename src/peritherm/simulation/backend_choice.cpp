@@ -16,14 +16,16 @@
 namespace peritherm {
 namespace {
 
-/// Costs on one core with 512-bit vectors, in double precision [s]; those of transforms stand beside the choice of
-/// their tiles in operators/fourier_tiles.cpp. Other machines differ: what matters is measured when a long run starts.
-constexpr double stencil_per_multiply = 0.045e-9;
-constexpr double stencil_per_point = 2.0e-9;
-constexpr double stencil_per_folded_plane = 1.0e-9;  ///< 3-D: per point and plane above and below
-constexpr double stencil_single_share = 0.7;
-constexpr double bond_per_bond = 1.3e-9;
-constexpr double bond_single_share = 0.75;
+/// Costs on one core with 512-bit vectors [s]; those of transforms stand beside the choice of their tiles in
+/// operators/fourier_tiles.cpp. Other machines differ: what matters is measured when a long run starts.
+struct StencilCost {
+  double per_point;
+  double per_multiply;  ///< per point and multiplication
+  double per_plane;     ///< 3-D: per point and pair of planes above and below
+};
+constexpr StencilCost full_cost{2.0e-9, 0.045e-9, 1.0e-9};
+constexpr StencilCost single_cost{3.0e-9, 0.022e-9, 1.0e-9};
+constexpr double bond_per_bond = 1.3e-9, bond_per_bond_in_single = 1.0e-9;
 /// Every evaluation of any backend: fictitious points, and waiting for other threads.
 constexpr double per_evaluation = 3e-6;
 
@@ -55,15 +57,15 @@ double modelled_seconds(const Grid& grid, const Stencil& stencil, BackendName ba
   const auto points = static_cast<double>(grid.size());
   const bool single = precision == Precision::single;
   if (backend == BackendName::bond) {
-    return points * static_cast<double>(stencil.entries.size()) * bond_per_bond * (single ? bond_single_share : 1.0);
+    return points * static_cast<double>(stencil.entries.size()) * (single ? bond_per_bond_in_single : bond_per_bond);
   }
   if (backend == BackendName::fourier) {
     return fourier_seconds(choose_fourier_tiling(grid, stencil.radius, precision), precision);
   }
   const double planes = grid.dimension == 3 ? stencil.radius : 0.0;
-  return points * (single ? stencil_single_share : 1.0) *
-         (stencil_per_point + planes * stencil_per_folded_plane +
-          stencil_per_multiply * static_cast<double>(folded_multiplies(stencil)));
+  const StencilCost& cost = single ? single_cost : full_cost;
+  const auto multiplies = static_cast<double>(folded_multiplies(stencil));
+  return points * (cost.per_point + planes * cost.per_plane + multiplies * cost.per_multiply);
 }
 
 void sort_by_time(std::vector<Contender>& contenders) {
@@ -181,6 +183,8 @@ BackendChoice choose_backend(const Problem& problem, const Stencil& stencil, int
   const Precision precision = problem.numerics.precision;
   while (Contender* const next = next_to_measure(sorted)) {
     const StandIn part = make_stand_in(grid, stencil.radius, precision, next->seconds, most);
+    // One tile is the least that can be timed; where the horizon makes it large, the model must do.
+    if (next->seconds * part.share > 3.0 * most) break;
     next->seconds = timed(part, grid, stencil, next->backend, precision);
     next->measured = true;
     sort_by_time(sorted);

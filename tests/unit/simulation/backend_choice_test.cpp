@@ -62,8 +62,10 @@ TEST_F(BackendChoiceTest, large_horizons_choose_the_transforms_and_small_ones_th
 
 TEST_F(BackendChoiceTest, long_runs_are_measured_quickly) {
   for (const double ratio : {3.0, 10.0, 13.0}) {
+    const Problem problem = unit_body(2, 1024, ratio);
+    const Stencil stencil = make_geometry(problem).stencil;
     const auto start = std::chrono::steady_clock::now();
-    const BackendChoice choice = choose(unit_body(2, 2048, ratio), very_many);
+    const BackendChoice choice = choose_backend(problem, stencil, 1, very_many);
     EXPECT_TRUE(choice.measured);
     EXPECT_NE(choice.reason.find("(measured)"), std::string::npos) << choice.reason;
     EXPECT_GT(choice.evaluation_seconds, 0.0);
@@ -81,6 +83,19 @@ TEST_F(BackendChoiceTest, the_plan_counts_the_memory_of_the_transforms) {
   const PaddedGrid layout(make_geometry(problem).body.grid, radius);
   const auto sum = make_fourier_sum(layout, make_geometry(problem).stencil, Precision::full);
   EXPECT_EQ(backend_bytes(problem, BackendName::fourier, radius, 1), static_cast<double>(sum->bytes()));
+}
+
+TEST_F(BackendChoiceTest, asking_for_transforms_without_fftw_is_a_fault_of_the_case) {
+  Problem problem = unit_body(2, 20, 3.0);
+  problem.numerics.backend = BackendName::fourier;
+  const std::vector<Issue> faults = find_faults(problem);
+  if (fourier_sum_available()) {
+    EXPECT_TRUE(faults.empty());
+    return;
+  }
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].where.key, "numerics.backend");
+  EXPECT_NE(faults[0].hint.find("PERITHERM_FFTW"), std::string::npos) << faults[0].hint;
 }
 
 TEST_F(BackendChoiceTest, what_was_chosen_is_prepared_for_the_run) {
