@@ -15,6 +15,13 @@ void CutSchedule::add(std::size_t entry, double offset, double full, const BondP
   }
 }
 
+void CutSchedule::append(const CutSchedule& other, std::size_t first) {
+  for (Event event : other.events_) {
+    event.entry += first;
+    events_.push_back(event);
+  }
+}
+
 void CutSchedule::sort() {
   std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
   events_.shrink_to_fit();
@@ -39,6 +46,12 @@ bool CutSchedule::average_over(double from, double to, Field conductances) {
   settled_ = settled;
   touched_ = touched;
   return first < last;
+}
+
+bool CutSchedule::changes_within(double from, double to) const {
+  const auto later = [](double time, const Event& event) { return time < event.time; };
+  const auto next = std::upper_bound(events_.begin(), events_.end(), from, later);
+  return next != events_.end() && next->time < to;
 }
 
 std::vector<std::size_t> CutSchedule::entries() const {

@@ -15,11 +15,17 @@ class CutSchedule {
   /// Bond `entry` has the conductance offset + full before its first crossing in time.
   void add(std::size_t entry, double offset, double full, const BondPath& path);
 
-  /// To be called once after the last `add`.
+  /// Takes the changes of another schedule whose entries are counted from `first` on.
+  void append(const CutSchedule& other, std::size_t first);
+
+  /// To be called once after the last `add` or `append`.
   void sort();
 
   /// Sets the conductances to their means over [from, to]; those at `from` if both are equal. True if any changed.
   bool average_over(double from, double to, Field conductances);
+
+  /// Whether anything changes at a time within (from, to).
+  bool changes_within(double from, double to) const;
 
   bool empty() const { return events_.empty(); }
   std::size_t size() const { return events_.size(); }

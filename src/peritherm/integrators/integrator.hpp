@@ -3,6 +3,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <variant>
 
 #include "peritherm/base/describe.hpp"
@@ -19,6 +21,16 @@ struct StepCount {
 /// What a run knows after each accepted step. Returning false ends `advance` there.
 using AfterStep = std::function<bool(double time, ConstField temperature)>;
 
+/// Who follows a march. Each call that returns false ends it.
+struct MarchFollower {
+  AfterStep after_step;
+  /// At each of the times asked for; held and fictitious entries may be refilled.
+  std::function<bool(double time, Field temperature)> at_time;
+  /// Within a long step that yields nothing until its end: the time up to which as much work has been done. If it
+  /// returns false, the state stays at the beginning of that step.
+  std::function<bool(double time)> within_step;
+};
+
 /// Moves the temperature from one time to another; knows neither body nor files.
 class TimeIntegrator {
  public:
@@ -26,6 +38,9 @@ class TimeIntegrator {
 
   /// Returns the time reached: `to`, unless `after_step` ended the march before.
   virtual double advance(double from, double to, Field temperature, const AfterStep& after_step) = 0;
+
+  /// Advances through the times, ascending and after `from`; returns the time reached.
+  virtual double march(double from, std::span<const double> times, Field temperature, const MarchFollower& follower);
 
   virtual StepCount count() const = 0;
 
@@ -167,8 +182,60 @@ struct ImplicitRungeKutta : ImplicitOptions {
   bool operator==(const ImplicitRungeKutta&) const = default;
 };
 
-using TimeStepping = std::variant<RungeKuttaLegendre, RungeKutta4, ForwardEuler, SteadyState, BackwardDifferences,
-                                  ImplicitRungeKutta>;  ///< the list
+/// The exact solution operator of a body that does not change in time, expanded in Chebyshev polynomials.
+struct Chebyshev {
+  double relative_tolerance = 1e-8;  ///< error (rms) at each output over the span of temperatures
+  static constexpr double stability = 2.0;
+  static constexpr int states = 6;  ///< three output times at once
+  static constexpr std::string_view name = "chebyshev";
+  static constexpr std::string_view help = "exact in time; for bodies without growing cracks";
+  static constexpr auto options() {
+    return std::tuple{optional("relative_tolerance", &Chebyshev::relative_tolerance, "",
+                               Check{[](double v) { return v >= 1e-13 && v <= 0.1; }, "must lie between 1e-13 and 0.1"},
+                               "error at each output (rms), relative to the span of temperatures")};
+  }
+  bool operator==(const Chebyshev&) const = default;
+};
+
+/// Chebyshev's propagator where the body stays as it is and loads are smooth in time; else Runge-Kutta-Legendre.
+struct AutomaticStepping {
+  std::optional<double> relative_tolerance;  ///< of the method chosen; none: that method's own
+  static constexpr double stability = 2.0;
+  static constexpr int states = 6;
+  static constexpr std::string_view name = "auto";
+  static constexpr std::string_view help = "chebyshev where it applies and pays, else rkl2";
+  static constexpr auto options() {
+    return std::tuple{optional("relative_tolerance", &AutomaticStepping::relative_tolerance, "",
+                               Check{[](double v) { return v >= 1e-12 && v <= 0.1; }, "must lie between 1e-12 and 0.1"},
+                               "error over the span of temperatures; default: that of the method chosen")};
+  }
+  bool operator==(const AutomaticStepping&) const = default;
+};
+
+/// The list.
+using TimeStepping = std::variant<AutomaticStepping, RungeKuttaLegendre, Chebyshev, RungeKutta4, ForwardEuler,
+                                  SteadyState, BackwardDifferences, ImplicitRungeKutta>;
+
+/// A method and why it was taken.
+struct ChosenStepping {
+  TimeStepping stepping;
+  std::string reason;  ///< empty if the user chose
+};
+
+/// Resolves AutomaticStepping for a march through `times`; leaves every other choice alone. Throws Error if the choice
+/// does not apply to the system.
+ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& system, double from,
+                               std::span<const double> times);
+
+inline constexpr int propagator_load_degree = 2;  ///< of boundary values and sources in time
+
+/// Output times that the propagator serves with one recurrence, for states of so many entries.
+std::size_t times_at_once(std::size_t state_size);
+
+/// Evaluations that a march from 0 through `times` may take on a body that does not change in time, with loads that do
+/// not either.
+double estimate_evaluations(const TimeStepping& options, double fastest_rate, std::span<const double> times,
+                            std::size_t state_size);
 
 std::unique_ptr<TimeIntegrator> make_integrator(const ForwardEuler& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const RungeKutta4& options, ThermalSystem& system);
@@ -176,6 +243,8 @@ std::unique_ptr<TimeIntegrator> make_integrator(const RungeKuttaLegendre& option
 std::unique_ptr<TimeIntegrator> make_integrator(const SteadyState& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const BackwardDifferences& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const ImplicitRungeKutta& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const Chebyshev& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const AutomaticStepping& options, ThermalSystem& system);
 inline std::unique_ptr<TimeIntegrator> make_integrator(const TimeStepping& options, ThermalSystem& system) {
   return std::visit([&](const auto& chosen) { return make_integrator(chosen, system); }, options);
 }

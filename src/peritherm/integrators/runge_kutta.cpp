@@ -31,14 +31,16 @@ class FixedStepIntegrator : public TimeIntegrator {
   double advance(double from, double to, Field temperature, const AfterStep& after_step) override {
     const double steps = std::max(1.0, std::ceil((to - from) / step_ * (1.0 - 1e-12)));
     double time = from;
+    Field now = temperature;
     for (double n = 1.0; n <= steps; n += 1.0) {
       const double next = n == steps ? to : from + (to - from) * (n / steps);
       system_.begin_step(time, next);
-      move(time, next - time, temperature);
+      now = move(time, next - time, now, temperature);
       ++count_.accepted;
       time = next;
-      if (!after_step(time, temperature)) break;
+      if (!after_step(time, now)) break;
     }
+    if (now.data() != temperature.data()) std::copy(now.begin(), now.end(), temperature.begin());
     return time;
   }
 
@@ -46,7 +48,8 @@ class FixedStepIntegrator : public TimeIntegrator {
   double stable_step() const override { return stable_step_; }
 
  protected:
-  virtual void move(double time, double step, Field temperature) = 0;
+  /// One step from `now`; returns where the new state stands, `now`, `home` or a field of the integrator's own.
+  virtual Field move(double time, double step, Field now, Field home) = 0;
 
   void evaluate(double time, Field at, double rate_weight, Terms terms, Field result) {
     system_.combine(time, at, rate_weight, terms, result);
@@ -68,10 +71,11 @@ class Euler final : public FixedStepIntegrator {
         moved_(system.size()) {}
 
  private:
-  void move(double time, double step, Field temperature) override {
-    const Term terms[] = {{1.0, temperature.data()}};
-    evaluate(time, temperature, step, terms, moved_);
-    std::copy(moved_.begin(), moved_.end(), temperature.begin());
+  Field move(double time, double step, Field now, Field home) override {
+    const Field target = now.data() == home.data() ? Field(moved_) : home;
+    const Term terms[] = {{1.0, now.data()}};
+    evaluate(time, now, step, terms, target);
+    return target;
   }
 
   std::vector<double> moved_;
@@ -87,7 +91,7 @@ class Classical final : public FixedStepIntegrator {
 
  private:
   // The slopes are recovered from the stages, T' = (−T + y1 + 2 y2 + y3) / 3 + h/6 f(y3), so none is stored.
-  void move(double time, double step, Field temperature) override {
+  Field move(double time, double step, Field temperature, Field) override {
     const Term start[] = {{1.0, temperature.data()}};
     evaluate(time, temperature, 0.5 * step, start, first_);
     evaluate(time + 0.5 * step, first_, 0.5 * step, start, second_);
@@ -97,6 +101,7 @@ class Classical final : public FixedStepIntegrator {
                         {2.0 / 3.0, second_.data()},
                         {1.0 / 3.0, third_.data()}};
     evaluate(time + step, third_, step / 6.0, all, temperature);
+    return temperature;
   }
 
   std::vector<double> first_, second_, third_;

@@ -56,9 +56,11 @@ std::vector<Watch> make_watches(const Problem& problem, const std::filesystem::p
   return watches;
 }
 
-std::vector<double> all_times(const std::vector<Watch>& watches, double end) {
-  std::vector<double> times{end};
-  for (const Watch& watch : watches) merge(times, watch.times);
+std::vector<double> march_times(const Problem& problem) {
+  std::vector<double> times{problem.time.end};
+  if (std::holds_alternative<SteadyState>(problem.time.integrator)) return times;
+  for (const OutputOptions& output : problem.outputs) merge(times, times_of(output, problem.time.end));
+  times.erase(times.begin(), std::upper_bound(times.begin(), times.end(), 0.0));
   return times;
 }
 

@@ -19,8 +19,8 @@ struct Watch {
 /// One per output; all probes share one. A steady state is shown to each of them once, at the end.
 std::vector<Watch> make_watches(const Problem& problem, const std::filesystem::path& folder);
 
-/// Times at which anybody looks, and the end of the run; ascending, each once.
-std::vector<double> all_times(const std::vector<Watch>& watches, double end);
+/// Times after 0 at which any output looks, and the end of the run; ascending, each once.
+std::vector<double> march_times(const Problem& problem);
 
 /// Times of one output; `every` includes 0 and the end.
 std::vector<double> times_of(const OutputOptions& output, double end);

@@ -30,8 +30,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 class EnergyBalance {
  public:
   EnergyBalance(const HeatSystem& system, ConstField state) : system_(system), first_(system.stored_heat(state)) {
-    std::vector<double> ones(state.size(), 1.0);
-    capacity_ = system.stored_heat(ones);
+    capacity_ = system.heat_capacity();
     widen(state);
   }
 
@@ -79,9 +78,7 @@ class Gallery {
   Gallery(const Problem& problem, const Assembly& assembly, const std::filesystem::path& folder)
       : problem_(problem), assembly_(assembly), watches_(make_watches(problem, folder)) {}
 
-  std::vector<double> times() const { return all_times(watches_, problem_.time.end); }
-
-  void show(double time, std::vector<double>& state, bool everybody) {
+  void show(double time, FieldStorage& state, bool everybody) {
     std::vector<Observer*> due;
     for (const Watch& watch : watches_) {
       if (everybody || watch.is_due(time)) due.push_back(watch.observer.get());
@@ -121,7 +118,7 @@ class Gallery {
   }
 
  private:
-  std::vector<HeatAccount> accounts(double time, std::vector<double>& state) {
+  std::vector<HeatAccount> accounts(double time, FieldStorage& state) {
     const std::vector<double> rates = assembly_.system->account_rates(time, state);
     const std::vector<double> heats = assembly_.system->account_heats(state);
     const std::vector<std::string> names = assembly_.system->account_names();
@@ -138,7 +135,8 @@ class Gallery {
     return lines;
   }
 
-  const std::vector<CutBond>& cuts() {
+  const CutBonds& cuts() {
+    if (const CutBonds* const known = assembly_.system->conduction().cut_bonds()) return *known;
     if (!cuts_) cuts_ = find_cut_bonds(assembly_.geometry.body, assembly_.geometry.stencil);
     return *cuts_;
   }
@@ -146,7 +144,7 @@ class Gallery {
   const Problem& problem_;
   const Assembly& assembly_;
   std::vector<Watch> watches_;
-  std::optional<std::vector<CutBond>> cuts_;
+  std::optional<CutBonds> cuts_;
 };
 
 [[noreturn]] void report_not_finite(const Assembly& assembly, ConstField state, double time) {
@@ -206,7 +204,8 @@ void prepare_folder(const RunSettings& settings) {
 /// The march from output time to output time.
 class March {
  public:
-  March(const Problem& problem, const RunSettings& settings, Assembly& assembly, RunSummary& summary)
+  March(const Problem& problem, const RunSettings& settings, const TimeStepping& stepping, Assembly& assembly,
+        RunSummary& summary)
       : problem_(problem),
         settings_(settings),
         assembly_(assembly),
@@ -214,24 +213,22 @@ class March {
         gallery_(problem, assembly, settings.folder),
         state_(initial_state(problem, assembly)),
         balance_(*assembly.system, state_),
-        integrator_(make_integrator(problem.time.integrator, *assembly.system)) {
+        integrator_(make_integrator(stepping, *assembly.system)) {
     summary_.plan.stable_step = integrator_->stable_step();
   }
 
   void go() {
     start_ = Clock::now();
     show(0.0, false);
-    double time = 0.0;
-    for (const double next : gallery_.times()) {
-      if (next <= time) continue;
-      const double reached = integrator_->advance(
-          time, next, state_, [this](double now, ConstField temperature) { return after_step(now, temperature); });
-      time = reached;
-      look(time, state_);
-      record(time);
-      const bool stopped = reached < next;
-      show(time, stopped);
-      if (stopped) break;
+    const MarchFollower follower{
+        [this](double now, ConstField temperature) { return after_step(now, temperature); },
+        [this](double now, Field) { return arrive(now); },
+        [this](double now) { return report(now); },
+    };
+    const double time = integrator_->march(0.0, march_times(problem_), state_, follower);
+    if (time > arrived_) {
+      stopped_ = true;
+      arrive(time);
     }
     summary_.status = time < problem_.time.end ? "stopped" : "completed";
   }
@@ -256,6 +253,14 @@ class March {
     summary_.files = gallery_.files();
   }
 
+  bool arrive(double now) {
+    arrived_ = now;
+    look(now, state_);
+    record(now);
+    show(now, stopped_);
+    return !stopped_;
+  }
+
   void look(double now, ConstField temperature) {
     const auto [lowest, highest] = assembly_.system->extremes(temperature);
     if (!std::isfinite(lowest) || !std::isfinite(highest)) report_not_finite(assembly_, temperature, now);
@@ -266,10 +271,15 @@ class March {
     // Looking at every point costs as much as a part of an evaluation, so short steps are not all looked at.
     if (integrator_->count().evaluations >= looked_at_ + evaluations_between_looks) look(now, temperature);
     summary_.end_time = now;
+    return report(now);
+  }
+
+  bool report(double now) {
     if (settings_.on_progress) {
       settings_.on_progress({now, problem_.time.end, integrator_->count(), seconds_since(start_)});
     }
-    return !(settings_.stop_requested && settings_.stop_requested());
+    stopped_ = settings_.stop_requested && settings_.stop_requested();
+    return !stopped_;
   }
 
   const Problem& problem_;
@@ -277,23 +287,27 @@ class March {
   Assembly& assembly_;
   RunSummary& summary_;
   Gallery gallery_;
-  std::vector<double> state_;
+  FieldStorage state_;
   EnergyBalance balance_;
   std::unique_ptr<TimeIntegrator> integrator_;
+  bool stopped_ = false;
+  double arrived_ = 0.0;
   long looked_at_ = -evaluations_between_looks;
   Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace
 
-RunSummary run(const Problem& problem, const RunSettings& settings) {
-  refuse_if_too_large(problem);
-  const int threads = set_threads(problem);
+RunSummary run(const Problem& given, const RunSettings& settings) {
+  // The backend that was chosen stands in resolved.toml: another choice would give other last digits.
+  const Prepared prepared = prepare(given);
+  const Problem& problem = prepared.problem;
   Assembly assembly = assemble(problem);
   RunSummary summary;
-  summary.plan = make_plan(problem, assembly, threads);
+  const ChosenStepping chosen = choose_stepping(problem.time.integrator, *assembly.system, 0.0, march_times(problem));
+  summary.plan = make_plan(prepared, assembly, chosen);
   // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
-  March march(problem, settings, assembly, summary);
+  March march(problem, settings, chosen.stepping, assembly, summary);
   prepare_folder(settings);
   if (settings.on_plan) settings.on_plan(summary.plan);
   write_file(settings.folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +

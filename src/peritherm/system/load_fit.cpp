@@ -1,16 +1,174 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
 #include "peritherm/system/heat_system.hpp"
 
 namespace peritherm {
+namespace {
 
-std::optional<ThermalSystem::LoadPiece> HeatSystem::fit_loads(double from, double to, int, double) {
-  (void)to;
-  (void)from;
-  return std::nullopt;
+constexpr int most_degree = 3;
+constexpr int checks = 13;            ///< places between the nodes at which a fit must hold
+constexpr int bisections = 5;         ///< that lengthen a piece once one has been found
+constexpr std::size_t probed = 2048;  ///< values of each kind that are looked at while the end of a piece is searched
+
+using Weights = std::array<std::array<double, most_degree + 1>, most_degree + 1>;
+
+/// Place of node i of count, from 0 to 1: the zeros of a Chebyshev polynomial.
+double node(int i, int count) { return 0.5 - 0.5 * std::cos(std::numbers::pi * (i + 0.5) / count); }
+
+/// weights[k][i]: what the value at node i contributes to the coefficient of s^k, from Lagrange's polynomials.
+Weights monomial_weights(int degree) {
+  Weights weights{};
+  for (int i = 0; i <= degree; ++i) {
+    std::array<double, most_degree + 1> product{1.0};
+    for (int j = 0; j <= degree; ++j) {
+      if (j == i) continue;
+      const double own = node(i, degree + 1), other = node(j, degree + 1);
+      for (int k = degree; k >= 0; --k) {
+        product[k] = ((k > 0 ? product[k - 1] : 0.0) - other * product[k]) / (own - other);
+      }
+    }
+    for (int k = 0; k <= degree; ++k) weights[k][i] = product[k];
+  }
+  return weights;
 }
 
-void HeatSystem::combine_linear(int, Field temperature, double rate_weight, Terms terms, Field result,
+}  // namespace
+
+std::vector<double> HeatSystem::probe_loads(double time) {
+  parts_.wall_temperatures.update(time);
+  parts_.exchange_values.update(time);
+  std::vector<double> values;
+  for (const ConstField kind : {parts_.wall_temperatures.values(), parts_.exchange_values.values()}) {
+    const std::size_t stride = kind.size() / probed + 1;
+    for (std::size_t n = 0; n < kind.size(); n += stride) values.push_back(kind[n]);
+  }
+  if (!sources_change_) return values;
+  for (const HeatedPart& part : parts_.sources) {
+    CompiledProfile profile(part.value);
+    std::size_t points = 0;
+    for (const HeatedRow& row : part.rows) points += static_cast<std::size_t>(row.length);
+    const auto stride = static_cast<std::int32_t>(points / probed + 1);
+    std::int32_t k = 0;  // counts on from row to row
+    for (const HeatedRow& row : part.rows) {
+      for (; k < row.length; k += stride) {
+        const GridIndex p{row.first[0] + k, row.first[1], row.first[2]};
+        values.push_back(profile(parts_.grid.position(p), time));
+      }
+      k -= row.length;
+    }
+  }
+  return values;
+}
+
+/// Whether a polynomial through the nodes of [begin, end] meets the probed loads in between.
+bool HeatSystem::fits(double begin, double end, int degree, const std::vector<double>& allowed) {
+  const Weights weights = monomial_weights(degree);
+  std::vector<std::vector<double>> samples;
+  for (int i = 0; i <= degree; ++i) samples.push_back(probe_loads(begin + (end - begin) * node(i, degree + 1)));
+  for (int c = 0; c <= checks; ++c) {
+    const double share = static_cast<double>(c) / checks;
+    const std::vector<double> truth = probe_loads(begin + (end - begin) * share);
+    for (std::size_t n = 0; n < truth.size(); ++n) {
+      double value = 0.0;
+      for (int k = degree; k >= 0; --k) {
+        double coefficient = 0.0;
+        for (int i = 0; i <= degree; ++i) coefficient += weights[k][i] * samples[i][n];
+        value = value * share + coefficient;
+      }
+      if (!(std::abs(value - truth[n]) <= allowed[n])) return false;
+    }
+  }
+  return true;
+}
+
+/// How far each probed load may be missed: the tolerance times its own variation over [from, to].
+std::vector<double> HeatSystem::allowed_misfit(double from, double to, double tolerance) {
+  std::vector<double> lowest = probe_loads(from), highest = lowest;
+  for (int c = 1; c <= 4 * checks; ++c) {
+    const std::vector<double> values = probe_loads(from + (to - from) * c / (4 * checks));
+    for (std::size_t n = 0; n < values.size(); ++n) {
+      lowest[n] = std::min(lowest[n], values[n]);
+      highest[n] = std::max(highest[n], values[n]);
+    }
+  }
+  for (std::size_t n = 0; n < lowest.size(); ++n) {
+    const double rounding =
+        16.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(lowest[n]), std::abs(highest[n]));
+    lowest[n] = tolerance * (highest[n] - lowest[n]) + rounding;
+  }
+  return lowest;
+}
+
+std::optional<ThermalSystem::LoadPiece> HeatSystem::fit_loads(double from, double to, int degree, double tolerance) {
+  if (parts_.conduction->changes_within(from, to)) return std::nullopt;
+  degree = std::min(degree, most_degree);
+  LoadPiece piece{from, to, 0};
+  if (loads_change()) {
+    const std::vector<double> allowed = allowed_misfit(from, to, tolerance);
+    const double shortest = std::max(1e-12 * (to - from), 8.0 * std::numeric_limits<double>::epsilon() * std::abs(to));
+    double bad = to;
+    while (piece.end - from > shortest && !fits(from, piece.end, degree, allowed)) {
+      bad = piece.end;
+      piece.end = from + 0.5 * (piece.end - from);
+    }
+    for (int n = 0; n < bisections && piece.end < bad && piece.end - from > shortest; ++n) {
+      const double middle = 0.5 * (piece.end + bad);
+      (fits(from, middle, degree, allowed) ? piece.end : bad) = middle;
+    }
+    // A jump is passed in one tiny piece with the value in its middle.
+    if (piece.end - from > shortest) {
+      while (piece.degree < degree && !fits(from, piece.end, piece.degree, allowed)) ++piece.degree;
+    }
+  }
+  fit_piece(piece);
+  return piece;
+}
+
+/// Derivatives of the loads at the begin of a piece from their values at its nodes.
+void HeatSystem::fit_piece(const LoadPiece& piece) {
+  const Weights weights = monomial_weights(piece.degree);
+  const double length = piece.end - piece.begin;
+  fitted_.assign(static_cast<std::size_t>(piece.degree) + 1,
+                 {std::vector<double>(parts_.wall_temperatures.size(), 0.0),
+                  std::vector<double>(parts_.exchange_values.size(), 0.0),
+                  std::vector<double>(sources_change_ ? load_.size() : 0, 0.0), 0.0});
+  const auto add = [](double weight, ConstField from, std::vector<double>& to) {
+    for (std::size_t n = 0; n < to.size(); ++n) to[n] += weight * from[n];
+  };
+  for (int i = 0; i <= piece.degree; ++i) {
+    const double time = piece.begin + length * node(i, piece.degree + 1);
+    parts_.wall_temperatures.update(time);
+    parts_.exchange_values.update(time);
+    update_sources(time);
+    double scale = 1.0;  // k! / length^k
+    for (int k = 0; k <= piece.degree; ++k) {
+      const double weight = weights[k][i] * scale;
+      StoredLoad& load = fitted_[static_cast<std::size_t>(k)];
+      add(weight, parts_.wall_temperatures.values(), load.walls);
+      add(weight, parts_.exchange_values.values(), load.exchanges);
+      add(weight, load_, load.sources);
+      load.source_heat_rate += weight * source_heat_rate_;
+      scale *= (k + 1.0) / length;
+    }
+  }
+}
+
+void HeatSystem::combine_linear(int k, Field temperature, double rate_weight, Terms terms, Field result,
                                 Accumulations accumulations) {
-  combine(current_load(), temperature, rate_weight, terms, result, accumulations);
+  if (k >= 0) {
+    const StoredLoad& load = fitted_.at(static_cast<std::size_t>(k));
+    // Sources that do not depend on time stand in their field only.
+    const ConstField sources = k == 0 && !sources_change_ ? ConstField(load_) : ConstField(load.sources);
+    combine({load.walls, load.exchanges, sources, load.source_heat_rate}, temperature, rate_weight, terms, result,
+            accumulations);
+    return;
+  }
+  no_load_.walls.resize(parts_.wall_temperatures.size(), 0.0);
+  no_load_.exchanges.resize(parts_.exchange_values.size(), 0.0);
+  combine({no_load_.walls, no_load_.exchanges, {}, 0.0}, temperature, rate_weight, terms, result, accumulations);
 }
 
 }  // namespace peritherm

@@ -1,5 +1,7 @@
 #include "peritherm/system/prescribed_values.hpp"
 
+#include <algorithm>
+
 namespace peritherm {
 
 void PrescribedValues::add(const Profile& profile, const std::vector<WallPlace>& places,
@@ -27,6 +29,11 @@ void PrescribedValues::update(double time) {
   }
   time_ = time;
   fresh_ = true;
+}
+
+bool PrescribedValues::depends_on_time() const {
+  return std::any_of(groups_.begin(), groups_.end(),
+                     [](const Group& group) { return group.profile.depends_on_time(); });
 }
 
 }  // namespace peritherm

@@ -16,6 +16,8 @@ class PrescribedValues {
   /// Evaluates what depends on time. Throws Error (Fault::numerics) if a value is not finite.
   void update(double time);
 
+  bool depends_on_time() const;
+
   ConstField values() const { return values_; }
   std::size_t size() const { return values_.size(); }
 

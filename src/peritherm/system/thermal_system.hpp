@@ -50,7 +50,7 @@ class ThermalSystem {
   virtual Extremes extremes(ConstField temperature) const = 0;
 
   /// Upper bound of the fastest decay rate [1/s]; sets explicit steps and stage counts.
-  virtual double fastest_rate() const = 0;
+  virtual double fastest_rate() = 0;
 };
 
 }  // namespace peritherm
