@@ -211,9 +211,8 @@ Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenS
   plan.integrator = std::visit([](const auto& options) { return std::string(options.name); }, chosen.stepping);
   plan.integrator_reason = chosen.reason;
   plan.memory_bytes = static_cast<std::size_t>(
-      assembly.backend == BackendName::bond
-          ? memory_estimate(problem, assembly.backend, prepared.threads)
-          : memory_of_run(problem) + static_cast<double>(assembly.system->bytes()));
+      assembly.backend == BackendName::bond ? memory_estimate(problem, assembly.backend, prepared.threads)
+                                            : memory_of_run(problem) + static_cast<double>(assembly.system->bytes()));
   estimate_steps(problem, chosen.stepping, *assembly.system, plan);
   plan.duration = plan.evaluations * prepared.choice.evaluation_seconds;
   return plan;

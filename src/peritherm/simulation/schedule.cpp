@@ -58,6 +58,7 @@ std::vector<Watch> make_watches(const Problem& problem, const std::filesystem::p
 
 std::vector<double> march_times(const Problem& problem) {
   std::vector<double> times{problem.time.end};
+  if (std::holds_alternative<SteadyState>(problem.time.integrator)) return times;
   for (const OutputOptions& output : problem.outputs) merge(times, times_of(output, problem.time.end));
   times.erase(times.begin(), std::upper_bound(times.begin(), times.end(), 0.0));
   return times;
