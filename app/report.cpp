@@ -32,8 +32,9 @@ std::string plan_text(const Plan& plan) {
   std::string text = fmt::format("{}-D, {}, {}{}, horizon {} = {:.4g} spacings\n", plan.dimension,
                                  counted(plan.points, "point", "points"), counted(plan.bonds, "bond", "bonds"), cut,
                                  quantity(plan.horizon, "m"), plan.horizon / plan.spacing);
-  text += fmt::format("{} backend, {}{}, stable step {}, step {}\n", plan.backend, plan.integrator,
-                      because(plan.integrator_reason), quantity(plan.stable_step, "s"), step_text(plan));
+  text += fmt::format("{} backend in {} precision: {}\n", plan.backend, plan.precision, plan.backend_reason);
+  text += fmt::format("{}{}, stable step {}, step {}\n", plan.integrator, because(plan.integrator_reason),
+                      quantity(plan.stable_step, "s"), step_text(plan));
   text += fmt::format("expected: {} of memory, about {} evaluations, {}\n", bytes_text(plan.memory_bytes),
                       estimate_text(plan.evaluations), duration_text(plan.duration));
   return text;
@@ -47,7 +48,8 @@ std::string check_text(const Plan& plan) {
   text += row("horizon", fmt::format("{} = {:.4g} spacings", quantity(plan.horizon, "m"), plan.horizon / plan.spacing));
   text += row("bonds", grouped(plan.bonds));
   text += row("cut bonds", grouped(plan.cut_bonds) + " at the end");
-  text += row("backend", plan.backend);
+  text += row("backend", plan.backend + ": " + plan.backend_reason);
+  text += row("precision", plan.precision);
   text += row("integrator", plan.integrator + because(plan.integrator_reason));
   text += row("memory", "about " + bytes_text(plan.memory_bytes));
   text += row("stable step", quantity(plan.stable_step, "s"));

@@ -23,17 +23,28 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/peritherm/simulation/toml_
 
 # Instruction sets: x86-64 takes the real files, every other processor their neighbours *_unavailable.cpp.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-  list(FILTER sources EXCLUDE REGEX "_unavailable\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_kernel_unavailable\\.cpp$")
 else()
   list(FILTER sources EXCLUDE REGEX "_(avx2|avx512)\\.cpp$")
+endif()
+
+# Optional libraries: the real file, or its neighbour that says how to get it.
+if(TARGET PkgConfig::fftw)
+  list(FILTER sources EXCLUDE REGEX "/fourier_sum_unavailable\\.cpp$")
+else()
+  list(FILTER sources EXCLUDE REGEX "/fourier_sum\\.cpp$")
 endif()
 
 # Contraction to fused multiply-adds is allowed where it pays and nowhere else, so that all other code gives the same
 # bits on every processor.
 foreach(source IN LISTS sources)
   set(flags)
-  if(source MATCHES "/operators/stencil_kernel[^/]*\\.cpp$")
+  if(source MATCHES "/operators/(stencil|correction)_kernel[^/]*\\.cpp$")
     set(flags -ffp-contract=fast)
+  endif()
+  # Sums over scattered neighbours: vectors made up entry by entry take three times as long as plain numbers.
+  if(source MATCHES "/operators/correction_kernel[^/]*\\.cpp$")
+    list(APPEND flags -fno-tree-vectorize -fno-tree-slp-vectorize)
   endif()
   if(source MATCHES "_avx2\\.cpp$")
     list(APPEND flags -mavx2 -mfma)
@@ -56,3 +67,6 @@ target_link_libraries(
   peritherm
   PRIVATE $<BUILD_INTERFACE:peritherm_options> $<BUILD_INTERFACE:peritherm_toml> OpenMP::OpenMP_CXX ZLIB::ZLIB fmt::fmt
           nlohmann_json::nlohmann_json muparser::muparser PkgConfig::cairo)
+if(TARGET PkgConfig::fftw)
+  target_link_libraries(peritherm PRIVATE PkgConfig::fftw)
+endif()

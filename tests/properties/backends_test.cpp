@@ -2,7 +2,7 @@
 
 #include "check_property.hpp"
 #include "measured_body.hpp"
-#include "peritherm/operators/stencil_program.hpp"
+#include "peritherm/operators/kernels.hpp"
 
 namespace peritherm {
 namespace {

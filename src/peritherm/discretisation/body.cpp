@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "peritherm/discretisation/point_blocks.hpp"
+
 namespace peritherm {
 
 MaterialIndex Body::material_at(const Point& x) const {
@@ -15,11 +17,28 @@ MaterialIndex Body::material_at(const Point& x) const {
 void Body::assign_materials() {
   material_of.assign(grid.size(), background);
   if (regions.empty()) return;
-#pragma omp parallel for schedule(static)
-  for (std::size_t n = 0; n < grid.size(); ++n) material_of[n] = material_at(grid.position(grid.index(n)));
+  const PointBlocks blocks(grid);
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::int64_t b = 0; b < blocks.size(); ++b) assign_materials(blocks[b]);
+}
+
+/// A block that no surface comes near is of one material.
+void Body::assign_materials(const PointBlock& block) {
+  const bool uniform = !any_surface_within(regions, block.centre, block.half_diagonal);
+  const MaterialIndex common = uniform ? material_at(block.centre) : background;
+  for (int z = block.low[2]; z < block.high[2]; ++z) {
+    for (int y = block.low[1]; y < block.high[1]; ++y) {
+      const std::size_t first = grid.number({0, y, z});
+      for (int x = block.low[0]; x < block.high[0]; ++x) {
+        material_of[first + static_cast<std::size_t>(x)] = uniform ? common : material_at(grid.position({x, y, z}));
+      }
+    }
+  }
 }
 
 bool Body::has_voids() const {
+  const auto cuts_away = [](const MaterialRegion& region) { return region.material == no_material; };
+  if (background != no_material && std::none_of(regions.begin(), regions.end(), cuts_away)) return false;
   return std::find(material_of.begin(), material_of.end(), no_material) != material_of.end();
 }
 

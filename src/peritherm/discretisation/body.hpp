@@ -32,6 +32,8 @@ struct MaterialRegion {
   MaterialIndex material;
 };
 
+struct PointBlock;
+
 /// A body on a grid: which point is of which material, what cuts its bonds, what stands around it.
 struct Body {
   Grid grid;
@@ -66,6 +68,9 @@ struct Body {
   /// Share of a cell with which a point counts as a neighbour: halves only on open faces, since mirrors complete
   /// the cells of all others.
   double source_share(const GridIndex& p) const;
+
+ private:
+  void assign_materials(const PointBlock& block);
 };
 
 }  // namespace peritherm

@@ -13,6 +13,26 @@ BondTracer::BondTracer(const Body& body) : body_(body) {
     upper_[axis] = body.grid.origin[axis] + body.grid.length(axis);
   }
   uniform_ = body.regions.empty();
+  for (const CrackSurface& crack : body.cracks) {
+    const auto box = crack.bounds();
+    all_.cracks.push_back({&crack, crack.parts_in(box[0], box[1])});
+  }
+}
+
+NearbyCracks BondTracer::cracks_in(const Point& lower, const Point& upper) const {
+  NearbyCracks nearby;
+  for (const CrackSurface& crack : body_.cracks) {
+    std::vector<int> parts = crack.parts_in(lower, upper);
+    if (!parts.empty()) nearby.cracks.push_back({&crack, std::move(parts)});
+  }
+  return nearby;
+}
+
+bool BondTracer::is_inside(const Point& x) const {
+  for (int axis = 0; axis < body_.grid.dimension; ++axis) {
+    if (x[axis] < lower_[axis] || x[axis] > upper_[axis]) return false;
+  }
+  return true;
 }
 
 /// Mirrors x by the reflections that bring `within` into the box.
@@ -25,11 +45,23 @@ Point BondTracer::fold(const Point& x, const Point& within) const {
   return folded;
 }
 
+/// What cracks do to a bond or a piece of it.
+void BondTracer::append_crossings_of(const NearbyCracks& nearby, const Point& a, const Point& b, BondPath& path) {
+  for (const auto& [crack, parts] : nearby.cracks) {
+    const auto time = crack->crossing_time(a, b, parts);
+    if (time) path.crossings.push_back({*time, crack->transmission(), crack->changes_in_time()});
+  }
+}
+
 /// A fictitious point moves as the mirror image of the point that it mirrors.
-Point BondTracer::off_cracks(const Point& x) const {
-  const Point inside = fold(x, x);
+Point BondTracer::off_cracks(const NearbyCracks& nearby, const Point& x) const {
   Point shift{};
-  for (const CrackSurface& crack : body_.cracks) crack.nudge(inside, shift);
+  if (is_inside(x)) {
+    for (const auto& [crack, parts] : nearby.cracks) crack->nudge(x, shift, parts);
+    return {x[0] + shift[0], x[1] + shift[1], x[2] + shift[2]};
+  }
+  const Point inside = fold(x, x);
+  for (const auto& [crack, parts] : nearby.cracks) crack->nudge(inside, shift, parts);
   Point moved = x;
   for (int axis = 0; axis < body_.grid.dimension; ++axis) {
     const bool mirrored = x[axis] < lower_[axis] || x[axis] > upper_[axis];
@@ -79,8 +111,8 @@ double BondTracer::conductivity_along(const std::vector<Piece>& pieces, Material
   return bond_conductivity(body_.interface, body_.materials[a].conductivity, body_.materials[b].conductivity);
 }
 
-void BondTracer::trace(Point a, MaterialIndex material_a, Point b, MaterialIndex material_b, BondPath& path) const {
-  thread_local std::vector<Piece> pieces;
+void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
+                       BondPath& path) const {
   path.crossings.clear();
   path.conductivity = 0.0;
   if (material_a == no_material || material_b == no_material) return;
@@ -89,18 +121,25 @@ void BondTracer::trace(Point a, MaterialIndex material_a, Point b, MaterialIndex
     std::swap(material_a, material_b);
   }
   path.conductivity = body_.materials[material_a].conductivity;
-  if (!body_.cracks.empty()) {
-    a = off_cracks(a);
-    b = off_cracks(b);
+  if (uniform_ && nearby.empty()) return;
+  if (!nearby.empty()) {
+    a = off_cracks(nearby, a);
+    b = off_cracks(nearby, b);
   }
-  if (!uniform_ || !body_.cracks.empty()) cut_at_walls(a, b, pieces);
-  if (!uniform_) path.conductivity = conductivity_along(pieces, material_a, material_b);
-  for (const CrackSurface& crack : body_.cracks) {
-    for (const Piece& piece : pieces) {
-      const auto time = crack.crossing_time(piece.begin, piece.end);
-      if (time) path.crossings.push_back({*time, crack.transmission(), crack.changes_in_time()});
+  const bool within = is_inside(a) && is_inside(b);
+  if (within && uniform_) {
+    append_crossings_of(nearby, a, b, path);
+  } else {
+    thread_local std::vector<Piece> pieces;
+    if (within) {
+      pieces.assign(1, {a, b, 1.0});
+    } else {
+      cut_at_walls(a, b, pieces);
     }
+    if (!uniform_) path.conductivity = conductivity_along(pieces, material_a, material_b);
+    for (const Piece& piece : pieces) append_crossings_of(nearby, piece.begin, piece.end, path);
   }
+  if (path.crossings.size() < 2) return;
   std::stable_sort(path.crossings.begin(), path.crossings.end(),
                    [](const Crossing& first, const Crossing& second) { return first.time < second.time; });
 }

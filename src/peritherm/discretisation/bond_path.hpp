@@ -19,6 +19,16 @@ struct BondPath {
   std::vector<Crossing> crossings;  ///< at most one per crack and mirror image, earliest first
 };
 
+/// The cracks that reach into some part of the body, and with which of their parts.
+struct NearbyCracks {
+  struct Part {
+    const CrackSurface* crack;
+    std::vector<int> parts;
+  };
+  std::vector<Part> cracks;
+  bool empty() const { return cracks.empty(); }
+};
+
 /// Follows bonds through materials and cracks. Beyond mirrored faces the body goes on as its mirror image.
 class BondTracer {
  public:
@@ -26,7 +36,15 @@ class BondTracer {
 
   /// Bond between two points of the materials given; `b` may lie beyond mirrored faces. Fills `path`; symmetric in
   /// the end points to the bit. May be called from several threads.
-  void trace(Point a, MaterialIndex material_a, Point b, MaterialIndex material_b, BondPath& path) const;
+  void trace(Point a, MaterialIndex material_a, Point b, MaterialIndex material_b, BondPath& path) const {
+    trace(all_, a, material_a, b, material_b, path);
+  }
+  /// As above for a bond that meets no other cracks than those given.
+  void trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
+             BondPath& path) const;
+
+  /// The cracks that bonds inside a box may meet; mirror images are folded back into the body first.
+  NearbyCracks cracks_in(const Point& lower, const Point& upper) const;
 
  private:
   struct Piece {
@@ -34,13 +52,16 @@ class BondTracer {
     double share;  ///< of the bond's length
   };
   Point fold(const Point& x, const Point& within) const;
-  Point off_cracks(const Point& x) const;
+  Point off_cracks(const NearbyCracks& nearby, const Point& x) const;
+  bool is_inside(const Point& x) const;
+  static void append_crossings_of(const NearbyCracks& nearby, const Point& a, const Point& b, BondPath& path);
   void cut_at_walls(const Point& a, const Point& b, std::vector<Piece>& pieces) const;
   double conductivity_along(const std::vector<Piece>& pieces, MaterialIndex a, MaterialIndex b) const;
 
   const Body& body_;
   Point lower_{}, upper_{};  ///< corners of the box
   bool uniform_;             ///< one material, nothing cut away
+  NearbyCracks all_;
 };
 
 /// Share of its conductance that the cracks there from the start leave to a bond: the product of their transmissions.

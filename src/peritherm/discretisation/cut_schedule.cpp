@@ -15,6 +15,13 @@ void CutSchedule::add(std::size_t entry, double offset, double full, const BondP
   }
 }
 
+void CutSchedule::append(const CutSchedule& other, std::size_t first) {
+  for (Event event : other.events_) {
+    event.entry += first;
+    events_.push_back(event);
+  }
+}
+
 void CutSchedule::sort() {
   std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
   events_.shrink_to_fit();

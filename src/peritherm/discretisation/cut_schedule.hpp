@@ -15,7 +15,10 @@ class CutSchedule {
   /// Bond `entry` has the conductance offset + full before its first crossing in time.
   void add(std::size_t entry, double offset, double full, const BondPath& path);
 
-  /// To be called once after the last `add`.
+  /// Takes the changes of another schedule whose entries are counted from `first` on.
+  void append(const CutSchedule& other, std::size_t first);
+
+  /// To be called once after the last `add` or `append`.
   void sort();
 
   /// Sets the conductances to their means over [from, to]; those at `from` if both are equal. True if any changed.

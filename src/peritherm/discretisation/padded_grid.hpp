@@ -28,7 +28,7 @@ class PaddedGrid {
   std::size_t stride(int axis) const { return stride_[axis]; }
 
   /// Entries of a field, the readable room behind included.
-  std::size_t size() const { return used_ + (grid_.dimension > 1 ? 8 * stride_[1] : 0) + 64; }
+  std::size_t size() const { return used_ + (grid_.dimension > 1 ? 16 * stride_[1] : 0) + 64; }
 
   /// Entry of a point; indices may lie up to `padding` outside the grid.
   std::size_t entry(const GridIndex& p) const {

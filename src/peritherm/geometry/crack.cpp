@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "peritherm/geometry/plane_polygon.hpp"
 #include "peritherm/geometry/vector.hpp"
@@ -61,10 +62,7 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     across_ = cross(normal_, along_);
     for (const Point& point : points_) plane_corners_.push_back(in_plane(point));
   }
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    arc_.push_back(k == 0 ? 0.0 : arc_.back() + length(difference(points_[k], points_[k - 1])));
-  }
-  closed_ = dimension == 2 && points_.front() == points_.back();
+  measure_segments();
   lower_ = upper_ = points_[0];
   for (int axis = 0; axis < 3; ++axis) {
     for (const Point& point : points_) {
@@ -75,6 +73,21 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     lower_[axis] -= half_width;
     upper_[axis] += half_width;
   }
+}
+
+/// Lengths and directions of a polyline's segments.
+void CrackSurface::measure_segments() {
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    arc_.push_back(k == 0 ? 0.0 : arc_.back() + length(difference(points_[k], points_[k - 1])));
+  }
+  for (std::size_t k = 0; dimension_ == 2 && k + 1 < points_.size(); ++k) {
+    const double segment_length = arc_[k + 1] - arc_[k];
+    directions_.push_back(
+        {(points_[k + 1][0] - points_[k][0]) / segment_length, (points_[k + 1][1] - points_[k][1]) / segment_length});
+  }
+  parts_.resize(std::max<std::size_t>(1, directions_.size()));
+  std::iota(parts_.begin(), parts_.end(), 0);
+  closed_ = dimension_ == 2 && points_.front() == points_.back();
 }
 
 std::array<double, 2> CrackSurface::in_plane(const Point& x) const {
@@ -92,7 +105,21 @@ double CrackSurface::time_after(double grown_length) const {
   return tip_speed_ > 0.0 ? start_time_ + std::max(0.0, grown_length) / tip_speed_ : start_time_;
 }
 
-std::optional<double> CrackSurface::crossing_time(const Point& a, const Point& b) const {
+double CrackSurface::height_above(int part, const Point& x) const {
+  if (dimension_ == 3) return dot(difference(x, points_[0]), normal_);
+  if (dimension_ == 1) return x[0] - points_[0][0];
+  const auto k = static_cast<std::size_t>(part);
+  return directions_[k][0] * (x[1] - points_[k][1]) - directions_[k][1] * (x[0] - points_[k][0]);
+}
+
+Point CrackSurface::normal_of(int part) const {
+  if (dimension_ == 3) return normal_;
+  if (dimension_ == 1) return {1.0, 0.0, 0.0};
+  const auto& direction = directions_[static_cast<std::size_t>(part)];
+  return {-direction[1], direction[0], 0.0};
+}
+
+std::optional<double> CrackSurface::crossing_time(const Point& a, const Point& b, std::span<const int> parts) const {
   for (int axis = 0; axis < dimension_; ++axis) {
     if (std::max(a[axis], b[axis]) < lower_[axis] - tolerance_) return std::nullopt;
     if (std::min(a[axis], b[axis]) > upper_[axis] + tolerance_) return std::nullopt;
@@ -102,7 +129,7 @@ std::optional<double> CrackSurface::crossing_time(const Point& a, const Point& b
   const Point& first = ordered ? a : b;
   const Point& second = ordered ? b : a;
   if (dimension_ == 3) return crossing_time_3d(first, second);
-  if (dimension_ == 2) return crossing_time_2d(first, second);
+  if (dimension_ == 2) return crossing_time_2d(first, second, parts);
   const double position = points_[0][0] - tolerance_;
   if ((first[0] >= position) == (second[0] >= position)) return std::nullopt;
   return start_time_;
@@ -110,18 +137,16 @@ std::optional<double> CrackSurface::crossing_time(const Point& a, const Point& b
 
 // A point that lies on the line of a segment, beyond its ends, counts as on its left: a bond along that line
 // crosses nothing, whatever the rounding of its ends.
-std::optional<double> CrackSurface::crossing_time_2d(const Point& a, const Point& b) const {
+std::optional<double> CrackSurface::crossing_time_2d(const Point& a, const Point& b, std::span<const int> parts) const {
   std::optional<double> earliest;
-  for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
-    const Point& start = points_[k];
-    const double segment_length = arc_[k + 1] - arc_[k];
-    const double along_x = (points_[k + 1][0] - start[0]) / segment_length;
-    const double along_y = (points_[k + 1][1] - start[1]) / segment_length;
-    const double height_a = along_x * (a[1] - start[1]) - along_y * (a[0] - start[0]);
-    const double height_b = along_x * (b[1] - start[1]) - along_y * (b[0] - start[0]);
+  for (const int part : parts) {
+    const double height_a = height_above(part, a);
+    const double height_b = height_above(part, b);
     if ((height_a >= -tolerance_) == (height_b >= -tolerance_)) continue;
+    const auto k = static_cast<std::size_t>(part);
+    const double segment_length = arc_[k + 1] - arc_[k];
     const Point x = between(a, b, std::clamp(height_a / (height_a - height_b), 0.0, 1.0));
-    const double place = along_x * (x[0] - start[0]) + along_y * (x[1] - start[1]);
+    const double place = directions_[k][0] * (x[0] - points_[k][0]) + directions_[k][1] * (x[1] - points_[k][1]);
     // Corners belong to the crack, so that none leaks; its two ends do not.
     const double first = k == 0 && !closed_ ? tolerance_ : -tolerance_;
     const double last = k + 2 == points_.size() && !closed_ ? -tolerance_ : tolerance_;
@@ -133,8 +158,8 @@ std::optional<double> CrackSurface::crossing_time_2d(const Point& a, const Point
 }
 
 std::optional<double> CrackSurface::crossing_time_3d(const Point& a, const Point& b) const {
-  const double height_a = dot(difference(a, points_[0]), normal_);
-  const double height_b = dot(difference(b, points_[0]), normal_);
+  const double height_a = height_above(0, a);
+  const double height_b = height_above(0, b);
   if ((height_a >= -tolerance_) == (height_b >= -tolerance_)) return std::nullopt;
   const Point x = between(a, b, std::clamp(height_a / (height_a - height_b), 0.0, 1.0));
   if (!contains(x)) return std::nullopt;
@@ -142,7 +167,7 @@ std::optional<double> CrackSurface::crossing_time_3d(const Point& a, const Point
   return time_after(radius_ > 0.0 ? std::hypot(along, across) : across);
 }
 
-void CrackSurface::nudge(const Point& point, Point& shift) const {
+void CrackSurface::nudge(const Point& point, Point& shift, std::span<const int> parts) const {
   for (int axis = 0; axis < dimension_; ++axis) {
     if (point[axis] < lower_[axis] - tolerance_ || point[axis] > upper_[axis] + tolerance_) return;
   }
@@ -150,12 +175,15 @@ void CrackSurface::nudge(const Point& point, Point& shift) const {
   if (dimension_ == 1) {
     shift[0] += distance;
   } else if (dimension_ == 3) {
-    const bool in_crack_plane = std::abs(dot(difference(point, points_[0]), normal_)) <= tolerance_;
+    const bool in_crack_plane = std::abs(height_above(0, point)) <= tolerance_;
     if (in_crack_plane && contains(point)) add(shift, normal_, distance);
   } else {
     Point normals{};
     Point last{};
-    for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
+    for (const int part : parts) {
+      // Far from the line is far from the segment, and cheaper to tell.
+      if (std::abs(height_above(part, point)) > 2.0 * tolerance_) continue;
+      const auto k = static_cast<std::size_t>(part);
       if (distance_from_edge(points_[k], points_[k + 1], point[0], point[1]) > tolerance_) continue;
       last = left_normal(points_[k], points_[k + 1]);
       add(normals, last, 1.0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,16 +58,29 @@ class CrackSurface {
 
   /// When the crack has passed the place where it crosses the bond a–b [s]; none if it never does.
   /// The end points must have been moved off the crack by `nudge`.
-  std::optional<double> crossing_time(const Point& a, const Point& b) const;
+  std::optional<double> crossing_time(const Point& a, const Point& b) const { return crossing_time(a, b, parts_); }
 
   /// Adds to `shift` what moves a point that lies on the crack off it, to its own side.
-  void nudge(const Point& point, Point& shift) const;
+  void nudge(const Point& point, Point& shift) const { nudge(point, shift, parts_); }
+
+  /// Height of a point above the line of a segment, to its left (2-D), the plane (3-D), the position (1-D) [m]. A bond
+  /// between points well above or well below a part does not cross it.
+  double height_above(int part, const Point& x) const;
+  /// Unit vector along which that height grows.
+  Point normal_of(int part) const;
+
+  /// The parts that reach into a box: numbers of the segments of a polyline; 0 for any other crack. Errs towards more.
+  std::vector<int> parts_in(const Point& lower, const Point& upper) const;
+  /// As above, looking at some parts only: where all others are known to be out of reach.
+  std::optional<double> crossing_time(const Point& a, const Point& b, std::span<const int> parts) const;
+  void nudge(const Point& point, Point& shift, std::span<const int> parts) const;
 
   /// Lower and upper corner of a box around the crack.
   std::array<Point, 2> bounds() const;
 
-  /// Boxes (lower and upper corner) that cover the crack, each about `length` wide; to find what is near it.
-  std::vector<std::array<Point, 2>> pieces(double length) const;
+  /// Boxes (lower and upper corner) that cover what of the crack lies in a box, each about `length` wide; to find what
+  /// is near it.
+  std::vector<std::array<Point, 2>> pieces(double length, const Point& lower, const Point& upper) const;
 
   /// Straight pieces (2-D) or one polygon (3-D) of the part that exists at a time; for pictures.
   std::vector<std::vector<Point>> outline(double time) const;
@@ -76,11 +90,14 @@ class CrackSurface {
   bool changes_in_time() const { return tip_speed_ > 0.0 || start_time_ > 0.0; }
 
  private:
-  std::optional<double> crossing_time_2d(const Point& a, const Point& b) const;
+  std::optional<double> crossing_time_2d(const Point& a, const Point& b, std::span<const int> parts) const;
   std::optional<double> crossing_time_3d(const Point& a, const Point& b) const;
   bool contains(const Point& x) const;
   std::array<double, 2> in_plane(const Point& x) const;
   double time_after(double length) const;
+  void measure_segments();
+  std::vector<std::array<Point, 2>> segment_pieces(double length, const std::array<Point, 2>& box) const;
+  std::vector<std::array<Point, 2>> plane_pieces(double length, const std::array<Point, 2>& box) const;
 
   int dimension_;
   double tolerance_;  ///< distance below which a point lies on the crack [m]
@@ -90,6 +107,8 @@ class CrackSurface {
   std::vector<Point> points_;                         ///< corners; of a disc: its centre only
   bool closed_ = false;                               ///< 2-D: the last point is the first
   std::vector<double> arc_;                           ///< 2-D: length from the first point to each corner
+  std::vector<std::array<double, 2>> directions_;     ///< 2-D: unit vector along each segment
+  std::vector<int> parts_;                            ///< all of them
   double radius_ = 0.0;                               ///< of a disc
   Point lower_{}, upper_{};                           ///< corners of a box around the crack
   std::vector<std::array<double, 2>> plane_corners_;  ///< 3-D polygon: corners along along_ and across_ [m]

@@ -11,7 +11,7 @@ namespace {
 class BondOperator final : public ConductionOperator {
  public:
   BondOperator(Bonds bonds, std::vector<std::int64_t> entries, std::vector<double> inverse_capacities,
-               std::size_t field_size)
+               std::size_t field_size, Precision precision)
       : bonds_(std::move(bonds)),
         entries_(std::move(entries)),
         inverse_capacities_(std::move(inverse_capacities)),
@@ -22,9 +22,10 @@ class BondOperator final : public ConductionOperator {
     }
     neighbours_.assign(bonds_.neighbours.begin(), bonds_.neighbours.end());
     bonds_.neighbours = {};
+    if (precision == Precision::single) round_conductances();
     for (std::size_t row = 0; row < rows(); ++row) {
       double sum = 0.0;
-      for (BondIndex b = bonds_.row_begin[row]; b < bonds_.row_begin[row + 1]; ++b) sum += bonds_.conductances[b];
+      for (BondIndex b = bonds_.row_begin[row]; b < bonds_.row_begin[row + 1]; ++b) sum += conductance(b);
       bound_ = std::max(bound_, 2.0 * sum * inverse_capacities_[row]);
       free_points_ += inverse_capacities_[row] > 0.0 ? 1 : 0;
     }
@@ -91,6 +92,12 @@ class BondOperator final : public ConductionOperator {
     return sum;
   }
 
+  double heat_capacity() const override {
+    double sum = 0.0;
+    for (const double inverse : inverse_capacities_) sum += inverse > 0.0 ? 1.0 / inverse : 0.0;
+    return sum;
+  }
+
   Extremes extremes(ConstField temperature) const override {
     Extremes found{temperature[static_cast<std::size_t>(entries_[0])],
                    temperature[static_cast<std::size_t>(entries_[0])]};
@@ -108,11 +115,16 @@ class BondOperator final : public ConductionOperator {
     if (found == entries_.end() || *found != static_cast<std::int64_t>(entry)) return;
     const auto row = static_cast<std::size_t>(found - entries_.begin());
     for (BondIndex b = bonds_.row_begin[row]; b < bonds_.row_begin[row + 1]; ++b) {
-      visit(static_cast<std::size_t>(neighbours_[b]), bonds_.conductances[b]);
+      visit(static_cast<std::size_t>(neighbours_[b]), conductance(b));
     }
   }
 
-  bool average_over(double from, double to) override { return bonds_.cuts.average_over(from, to, bonds_.conductances); }
+  bool average_over(double from, double to) override {
+    const bool changed = bonds_.cuts.average_over(from, to, bonds_.conductances);
+    if (!changed || rounded_.empty()) return changed;
+    for (const std::size_t bond : changing_bonds_) rounded_[bond] = static_cast<float>(bonds_.conductances[bond]);
+    return true;
+  }
 
   bool changes_within(double from, double to) const override { return bonds_.cuts.changes_within(from, to); }
 
@@ -130,6 +142,7 @@ class BondOperator final : public ConductionOperator {
 
   std::size_t bytes() const override {
     return neighbours_.capacity() * sizeof(PointIndex) + bonds_.conductances.capacity() * sizeof(double) +
+           rounded_.capacity() * sizeof(float) + changing_bonds_.capacity() * sizeof(std::size_t) +
            bonds_.row_begin.capacity() * sizeof(BondIndex) + entries_.capacity() * sizeof(std::int64_t) +
            inverse_capacities_.capacity() * sizeof(double) + bonds_.cuts.bytes();
   }
@@ -143,22 +156,42 @@ class BondOperator final : public ConductionOperator {
     return value;
   }
 
-  /// Σ_j G_ij (T_j − T_i); constants give 0 exactly. Four sums hide the latency of the additions.
+  double conductance(BondIndex b) const {
+    const auto k = static_cast<std::size_t>(b);
+    return rounded_.empty() ? bonds_.conductances[k] : static_cast<double>(rounded_[k]);
+  }
+
+  /// Those in double stay only where growing cracks will change some of them.
+  void round_conductances() {
+    rounded_.assign(bonds_.conductances.begin(), bonds_.conductances.end());
+    changing_bonds_ = bonds_.cuts.entries();
+    if (changing_bonds_.empty()) bonds_.conductances = {};
+  }
+
   double heat_rate(std::size_t row, const double* temperature) const {
+    return rounded_.empty() ? sum_row(row, bonds_.conductances.data(), temperature)
+                            : sum_row(row, rounded_.data(), temperature);
+  }
+
+  /// Σ_j G_ij (T_j − T_i); constants give 0 exactly. Four sums hide the latency of the additions. The time goes into
+  /// reading neighbours and conductances, so differences and sums are double in any case.
+  template <class Conductance>
+  double sum_row(std::size_t row, const Conductance* g, const double* temperature) const {
     const double own = temperature[entries_[row]];
     const PointIndex* const j = neighbours_.data();
-    const double* const g = bonds_.conductances.data();
     double sums[4] = {0.0, 0.0, 0.0, 0.0};
     BondIndex b = bonds_.row_begin[row];
     const BondIndex end = bonds_.row_begin[row + 1];
     for (; b + 4 <= end; b += 4) {
-      for (int k = 0; k < 4; ++k) sums[k] += g[b + k] * (temperature[j[b + k]] - own);
+      for (int k = 0; k < 4; ++k) sums[k] += static_cast<double>(g[b + k]) * (temperature[j[b + k]] - own);
     }
-    for (; b < end; ++b) sums[0] += g[b] * (temperature[j[b]] - own);
+    for (; b < end; ++b) sums[0] += static_cast<double>(g[b]) * (temperature[j[b]] - own);
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
 
   Bonds bonds_;
+  std::vector<float> rounded_;               ///< the conductances in single precision; empty in double
+  std::vector<std::size_t> changing_bonds_;  ///< in single precision: bonds that change in time
   std::vector<PointIndex> neighbours_;
   std::vector<std::int64_t> entries_;
   std::vector<double> inverse_capacities_;
@@ -170,9 +203,10 @@ class BondOperator final : public ConductionOperator {
 }  // namespace
 
 std::unique_ptr<ConductionOperator> make_bond_operator(Bonds bonds, std::vector<std::int64_t> entries,
-                                                       std::vector<double> inverse_capacities, std::size_t field_size) {
-  return std::make_unique<BondOperator>(std::move(bonds), std::move(entries), std::move(inverse_capacities),
-                                        field_size);
+                                                       std::vector<double> inverse_capacities, std::size_t field_size,
+                                                       Precision precision) {
+  return std::make_unique<BondOperator>(std::move(bonds), std::move(entries), std::move(inverse_capacities), field_size,
+                                        precision);
 }
 
 }  // namespace peritherm

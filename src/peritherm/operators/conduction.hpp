@@ -2,12 +2,16 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "peritherm/base/describe.hpp"
 #include "peritherm/base/field.hpp"
 #include "peritherm/discretisation/bonds.hpp"
+#include "peritherm/discretisation/damage.hpp"
+#include "peritherm/discretisation/held_points.hpp"
 #include "peritherm/operators/combination.hpp"
+#include "peritherm/operators/stencil_sum.hpp"
 
 namespace peritherm {
 
@@ -37,6 +41,9 @@ class ConductionOperator {
   /// Σ C T over the free points [J], the same bits for any number of threads.
   virtual double stored_heat(ConstField temperature) const = 0;
 
+  /// Σ C over the free points [J/K].
+  virtual double heat_capacity() const = 0;
+
   /// Lowest and highest temperature of the body's points.
   struct Extremes {
     double lowest, highest;
@@ -50,6 +57,19 @@ class ConductionOperator {
   /// neighbour may be visited several times: the sum counts.
   virtual void visit_bonds(std::size_t entry, const Visitor& visit) const = 0;
 
+  /// Largest distance in a field between the entries of two points that exchange heat.
+  virtual std::size_t reach() const { return size(); }
+
+  /// Heat rate Σ G_ij (T_j − T_i) from the entries j that `holder` ascribes to a boundary into the points of a stretch
+  /// along x that nothing holds, as weights of temperatures: adds G_ij to weights[j − origin] and takes it from
+  /// weights[i − origin]. `holder` per entry: boundary index, −1 for none.
+  struct Stretch {
+    std::int64_t entry;
+    std::int32_t length;
+  };
+  virtual void add_exchange_weights(const Stretch& stretch, std::span<const std::int16_t> holder, int boundary,
+                                    std::int64_t origin, Field weights) const;
+
   /// Conductances that change in time take their mean over [from, to], or their value at `from` if both are equal.
   /// True if any is another than before.
   virtual bool average_over(double from, double to) = 0;
@@ -60,6 +80,9 @@ class ConductionOperator {
   /// Entries of points whose bonds change in time, ascending.
   virtual std::vector<std::size_t> changing_points() const = 0;
 
+  /// The bonds that cracks cut, where they were counted on the way; none otherwise.
+  virtual const CutBonds* cut_bonds() const { return nullptr; }
+
   /// Gershgorin's bound of the fastest decay rate, max 2 Σ_j G_ij / C_i [1/s].
   virtual double gershgorin_bound() const = 0;
 
@@ -68,24 +91,29 @@ class ConductionOperator {
 };
 
 /// Sparse rows, for points of any arrangement.
-/// `entries`: where each owned point stands in a field; `inverse_capacities`: 1/C [K/J], 0 if held.
+/// `entries`: where each owned point stands in a field; `inverse_capacities`: 1/C [K/J], 0 if held. In single precision
+/// the conductances are rounded to float; both ends of a bond see the same, so heat is conserved as in double.
 std::unique_ptr<ConductionOperator> make_bond_operator(Bonds bonds, std::vector<std::int64_t> entries,
-                                                       std::vector<double> inverse_capacities, std::size_t field_size);
+                                                       std::vector<double> inverse_capacities, std::size_t field_size,
+                                                       Precision precision = Precision::full);
 
-/// One stencil for all points of a grid and sparse corrections. `held_by` per point: −1 for free ones; may be empty.
-/// `kernel`: index into available_kernels(); all give the same sums to rounding.
+/// One stencil for all points of a grid and sparse corrections.
+/// `kernel`: index into available_kernels(); all give the same sums to rounding. `uniform`: how the stencil's sum is
+/// evaluated; by default directly and in double precision.
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
-                                                          const Stencil& stencil,
-                                                          const std::vector<std::int16_t>& held_by,
-                                                          std::size_t kernel = 0);
+                                                          const Stencil& stencil, const HeldPoints& held_by,
+                                                          std::size_t kernel = 0,
+                                                          std::unique_ptr<StencilSum> uniform = nullptr);
 
 /// How conduction is evaluated; the list.
-enum class BackendName { automatic, stencil, bond };
+enum class BackendName { automatic, stencil, fourier, bond };
 
 template <>
 struct EnumNames<BackendName> {
-  static constexpr std::array<std::pair<BackendName, std::string_view>, 3> values{
-      {{BackendName::automatic, "auto"}, {BackendName::stencil, "stencil"}, {BackendName::bond, "bond"}}};
+  static constexpr std::array<std::pair<BackendName, std::string_view>, 4> values{{{BackendName::automatic, "auto"},
+                                                                                   {BackendName::stencil, "stencil"},
+                                                                                   {BackendName::fourier, "fft"},
+                                                                                   {BackendName::bond, "bond"}}};
 };
 
 }  // namespace peritherm

@@ -1,120 +1,137 @@
 #include <algorithm>
+#include <type_traits>
 
-#include "peritherm/operators/stencil_program.hpp"
+#include "peritherm/operators/kernels.hpp"
 #include "peritherm/operators/stencil_sum.hpp"
+#include "peritherm/operators/tile_sources.hpp"
 
 namespace peritherm {
 namespace {
 
-constexpr int block_rows = StencilProgram::block_rows;
-constexpr int band_rows = 4 * block_rows;  // rows that are worked on together, so that their sources stay in cache
-constexpr int tile_columns = 96;
+constexpr int bar_strip = 4096;    // points of a bar that one task works on
+constexpr int widest_tile = 2048;  // columns of a plate whose surrounding rows stay in the second cache
+constexpr int solid_depth = 16;  // planes that one task walks through; what it walks through stays in the second cache
+constexpr int solid_tile = 256;  // and so many columns
+constexpr int sums_columns = 128;  // columns of a plate whose sums are handed out together
+constexpr int solid_sums_columns = 64;
 
-/// One thread's room for sums and folded planes; it is kept between evaluations.
-class Workspace {
- public:
-  void fit(const StencilProgram& program) {
-    plane_stride_ = tile_columns + lanes_margin + 2 * program.radius;
-    plane_rows_ = band_rows + block_rows + 2 * program.radius;
-    sums_.resize(static_cast<std::size_t>(block_rows * stride()));
-    planes_.resize(static_cast<std::size_t>(program.planes));
-    if (program.planes > 1) {
-      folded_.resize(static_cast<std::size_t>(program.planes * plane_stride_ * plane_rows_) + lanes_margin);
-    }
-  }
-
-  static constexpr int stride() { return tile_columns + lanes_margin; }
-  double* sums() { return sums_.data(); }
-  std::vector<FoldedPlane>& planes() { return planes_; }
-
-  /// Folds the planes around the tile whose first output stands at `source`.
-  void fold(const StencilProgram& program, const PaddedGrid& layout, const double* source, int rows, int columns,
-            FoldKernel fold_row) {
-    const auto row_stride = static_cast<std::ptrdiff_t>(layout.stride(1));
-    const auto plane_stride = static_cast<std::ptrdiff_t>(layout.stride(2));
-    const int width = columns + lanes_margin + 2 * program.radius;
-    for (int d = 0; d < program.planes; ++d) {
-      const int reach = program.plane_radius[d];
-      double* const origin = folded_.data() + static_cast<std::ptrdiff_t>(d) * plane_stride_ * plane_rows_ +
-                             static_cast<std::ptrdiff_t>(program.radius) * plane_stride_ + program.radius;
-      planes_[d] = {origin, plane_stride_};
-      for (int row = -reach; row < rows + reach; ++row) {
-        const double* const from = source + row * row_stride - program.radius;
-        double* const to = origin + row * plane_stride_ - program.radius;
-        if (d == 0) {
-          std::copy_n(from, width, to);
-        } else {
-          fold_row(from + d * plane_stride, from - d * plane_stride, width, to);
-        }
-      }
-    }
-  }
-
- private:
-  std::vector<double> sums_;
-  std::ptrdiff_t plane_stride_ = 0, plane_rows_ = 0;
-  std::vector<double> folded_;
-  std::vector<FoldedPlane> planes_;
+/// One thread's room; it is kept between evaluations.
+template <class Scalar>
+struct Workspace {
+  TileSources<Scalar> sources;
+  FoldedPlanes<Scalar> folded;
+  AlignedRoom<double> sums;
 };
 
+template <class Scalar>
+const SourceKernels<Scalar>& source_kernels_of(const Kernels& kernels) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return kernels.full;
+  } else {
+    return kernels.single;
+  }
+}
+
+int pieces(int length, int piece) { return (length + piece - 1) / piece; }
+
+template <class Scalar>
 class DirectSum final : public StencilSum {
  public:
   DirectSum(const PaddedGrid& layout, const Stencil& stencil, const Kernels& kernels)
-      : layout_(layout), program_(make_stencil_program(stencil, layout.grid().dimension)), kernels_(kernels) {}
+      : layout_(layout),
+        program_(make_stencil_program(stencil, layout.grid().dimension)),
+        kernels_(kernels),
+        block_(layout.grid().dimension == 1 ? source_kernels_of<Scalar>(kernels_).bar
+                                            : source_kernels_of<Scalar>(kernels_).block) {}
 
   void sum(ConstField temperature, const RowSink& sink) const override {
     const Grid& grid = layout_.grid();
-    const int bands = (grid.count(1) + band_rows - 1) / band_rows;
-    const int strips = grid.dimension == 1 ? strips_of_a_bar() : 1;
-    const std::int64_t count = static_cast<std::int64_t>(grid.count(2)) * bands * strips;
+    const Sweep sweep{program_, layout_, kernels_, temperature.data()};
+    const bool solid = grid.dimension == 3;
+    const int tile = solid ? solid_tile : grid.dimension == 2 ? widest_tile : bar_strip;
+    const int depth = solid ? solid_depth : 1;
+    const int bands = pieces(grid.count(1), band_rows());
+    const int tasks = bands * pieces(grid.count(2), depth);
+    const int tiles = pieces(grid.count(0), tile);
 #pragma omp parallel
     {
-      thread_local Workspace workspace;
-      workspace.fit(program_);
-#pragma omp for schedule(static)
-      for (std::int64_t task = 0; task < count; ++task) {
-        const int strip = static_cast<int>(task % strips);
-        const int band = static_cast<int>(task / strips % bands);
-        const int z = static_cast<int>(task / (strips * bands));
-        sum_band(temperature, sink, z, band * band_rows, columns_of(strip, strips), workspace);
+      thread_local Workspace<Scalar> workspace;
+      // Every tile is shared out alike, so that a thread stays with its rows and planes.
+      for (int x = 0; x < (grid.dimension == 1 ? 1 : tiles); ++x) {
+#pragma omp for schedule(static) nowait
+        for (int task = 0; task < (grid.dimension == 1 ? tiles : tasks); ++task) {
+          const int column = (grid.dimension == 1 ? task : x) * tile;
+          const int y = grid.dimension == 1 ? 0 : task % bands * band_rows();
+          const int z = grid.dimension == 1 ? 0 : task / bands * depth;
+          const Tile piece{{column, y, z},
+                           std::min(tile, grid.count(0) - column),
+                           std::min(band_rows(), grid.count(1) - y),
+                           std::min(depth, grid.count(2) - z)};
+          solid ? sum_solid(sweep, sink, piece, workspace) : sum_flat(sweep, sink, piece, workspace);
+        }
       }
     }
   }
 
-  std::size_t bytes() const override { return program_.pairs.size() * sizeof(program_.pairs[0]); }
+  std::size_t bytes() const override { return program_.bytes(); }
 
  private:
-  struct Columns {
-    int begin, end;
-  };
-
-  /// A bar has one row only; it is cut so that several threads find work.
-  int strips_of_a_bar() const { return std::max(1, layout_.grid().count(0) / 4096); }
-  Columns columns_of(int strip, int strips) const {
-    const int length = layout_.grid().count(0);
-    const int width = (length + strips - 1) / strips;
-    return {strip * width, std::min(length, (strip + 1) * width)};
+  /// Rows that are worked on together. Narrowing pays if several blocks share it.
+  int band_rows() const {
+    const bool narrows = std::is_same_v<Scalar, float> && layout_.grid().dimension == 2;
+    return narrows ? 4 * block_.rows : block_.rows;
   }
 
-  /// Rows y … y + band_rows of plane z; tile by tile, so that the sources of a tile stay in the nearest cache.
-  void sum_band(ConstField temperature, const RowSink& sink, int z, int y, Columns columns,
-                Workspace& workspace) const {
-    const int rows = std::min(band_rows, layout_.grid().count(1) - y);
-    for (int x = columns.begin; x < columns.end; x += tile_columns) {
-      const int width = std::min(tile_columns, columns.end - x);
-      const double* const source = temperature.data() + layout_.entry({x, y, z});
-      if (program_.planes > 1) {
-        const int block_end = (rows + block_rows - 1) / block_rows * block_rows;
-        workspace.fold(program_, layout_, source, block_end, width, kernels_.fold_row);
-      } else {
-        workspace.planes()[0] = {source, static_cast<std::ptrdiff_t>(layout_.stride(1))};
+  /// The last block of an axis ends with the grid, so that it finds as many rows as it needs if there are enough.
+  int first_row_of_block(int y) const { return std::max(0, std::min(y, layout_.grid().count(1) - block_.rows)); }
+
+  /// Hands out the rows [y, end) of a block of sums that begins with row `first`.
+  void hand_out(const RowSink& sink, const double* sums, std::ptrdiff_t stride, int first, int y, int end, int x, int z,
+                int width) const {
+    for (int row = y; row < end; ++row) sink(sums + (row - first) * stride, {x, row, z}, width);
+  }
+
+  void sum_flat(const Sweep& sweep, const RowSink& sink, const Tile& tile, Workspace<Scalar>& workspace) const {
+    const int stride = sums_columns + block_.columns;
+    double* const sums = workspace.sums.at_least(static_cast<std::size_t>(block_.rows * stride));
+    const int end = tile.first[1] + tile.rows;
+    const int first = first_row_of_block(tile.first[1]);
+    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += sums_columns) {
+      const int width = std::min(sums_columns, tile.first[0] + tile.width - x);
+      workspace.sources.enter(sweep, {{x, first, tile.first[2]},
+                                      pieces(width, block_.columns) * block_.columns,
+                                      std::max(end - first, block_.rows),
+                                      1});
+      const Patch<const Scalar> source = workspace.sources.plane(0);
+      for (int y = tile.first[1]; y < end; y += block_.rows) {
+        const int block = first_row_of_block(y);
+        const SourcePlane<Scalar> plane{source.first + (block - first) * source.stride, source.stride,
+                                        block_.columns + 8};
+        block_.sum(program_, &plane, width, sums, stride);
+        hand_out(sink, sums, stride, block, y, std::min(end, y + block_.rows), x, tile.first[2], width);
       }
-      for (int row = 0; row < rows; row += block_rows) {
-        kernels_.sum_block(program_, workspace.planes().data(), width, workspace.sums(), Workspace::stride());
-        for (int r = row; r < std::min(rows, row + block_rows); ++r) {
-          sink(workspace.sums() + (r - row) * Workspace::stride(), {x, y + r, z}, width);
+    }
+  }
+
+  /// Block by block along x; each walks through the planes, so that it finds all but the newest in the nearest cache.
+  void sum_solid(const Sweep& sweep, const RowSink& sink, const Tile& tile, Workspace<Scalar>& workspace) const {
+    const std::ptrdiff_t stride = solid_sums_columns, plane_stride = stride * block_.rows;
+    double* const sums = workspace.sums.at_least(static_cast<std::size_t>(plane_stride * tile.depth));
+    const int first = first_row_of_block(tile.first[1]);
+    for (int x = tile.first[0]; x < tile.first[0] + tile.width; x += solid_sums_columns) {
+      const int width = std::min(solid_sums_columns, tile.first[0] + tile.width - x);
+      for (int column = 0; column < width; column += block_.columns) {
+        workspace.sources.enter(sweep, {{x + column, first, tile.first[2]}, block_.columns, block_.rows, tile.depth});
+        for (int z = 0; z < tile.depth; ++z) {
+          if (z > 0) workspace.sources.advance(sweep);
+          const SourcePlane<Scalar>* const planes = workspace.folded.fold(
+              sweep, source_kernels_of<Scalar>(kernels_), workspace.sources, 0, block_.columns, block_.rows);
+          block_.sum(program_, planes, block_.columns, sums + z * plane_stride + column, stride);
         }
-        for (FoldedPlane& plane : workspace.planes()) plane.origin += block_rows * plane.stride;
+      }
+      for (int z = 0; z < tile.depth; ++z) {
+        hand_out(sink, sums + z * plane_stride, stride, first, tile.first[1], tile.first[1] + tile.rows, x,
+                 tile.first[2] + z, width);
       }
     }
   }
@@ -122,13 +139,16 @@ class DirectSum final : public StencilSum {
   PaddedGrid layout_;
   StencilProgram program_;
   Kernels kernels_;
+  BlockKernel<Scalar> block_;
 };
 
 }  // namespace
 
 std::unique_ptr<StencilSum> make_direct_sum(const PaddedGrid& layout, const Stencil& stencil, std::size_t kernel,
-                                            Precision) {
-  return std::make_unique<DirectSum>(layout, stencil, available_kernels().at(kernel));
+                                            Precision precision) {
+  const Kernels& kernels = available_kernels().at(kernel);
+  if (precision == Precision::single) return std::make_unique<DirectSum<float>>(layout, stencil, kernels);
+  return std::make_unique<DirectSum<double>>(layout, stencil, kernels);
 }
 
 }  // namespace peritherm

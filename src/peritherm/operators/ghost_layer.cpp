@@ -12,7 +12,7 @@ double sign_of(WallKind kind) {
 
 }  // namespace
 
-GhostLayer::GhostLayer(const Body& body, const PaddedGrid& layout, const std::vector<std::int16_t>& held_by,
+GhostLayer::GhostLayer(const Body& body, const PaddedGrid& layout, const HeldPoints& held_by,
                        const std::vector<bool>& depends_on_place) {
   slots_.resize(depends_on_place.size());
   for (std::size_t b = 0; b < slots_.size(); ++b) {
@@ -64,8 +64,9 @@ void GhostLayer::append(GhostRun run, const std::vector<WallPlace>& places) {
   runs_.push_back(run);
 }
 
-void GhostLayer::add_held(const Body& body, const PaddedGrid& layout, const std::vector<std::int16_t>& held_by) {
-  for (std::size_t n = 0; n < held_by.size(); ++n) {
+void GhostLayer::add_held(const Body& body, const PaddedGrid& layout, const HeldPoints& held_by) {
+  const std::size_t count = held_by.boundaries().size();
+  for (std::size_t n = 0; n < count; ++n) {
     if (held_by[n] < 0) continue;
     const GridIndex p = body.grid.index(n);
     GhostRun run;

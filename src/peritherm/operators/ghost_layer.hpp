@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "peritherm/discretisation/body.hpp"
+#include "peritherm/discretisation/held_points.hpp"
 #include "peritherm/discretisation/padded_grid.hpp"
 
 namespace peritherm {
@@ -42,8 +43,7 @@ struct WallSlots {
 class GhostLayer {
  public:
   /// `depends_on_place` per boundary: whether its wall temperatures differ from place to place.
-  /// `held_by` per point: index of the boundary that holds it, −1 for free ones.
-  GhostLayer(const Body& body, const PaddedGrid& layout, const std::vector<std::int16_t>& held_by,
+  GhostLayer(const Body& body, const PaddedGrid& layout, const HeldPoints& held_by,
              const std::vector<bool>& depends_on_place);
 
   void fill(ConstField wall_temperatures, Field field) const;
@@ -54,7 +54,7 @@ class GhostLayer {
   std::size_t bytes() const;
 
  private:
-  void add_held(const Body& body, const PaddedGrid& layout, const std::vector<std::int16_t>& held_by);
+  void add_held(const Body& body, const PaddedGrid& layout, const HeldPoints& held_by);
   void add_face(const Body& body, const PaddedGrid& layout, Face face);
   void add_line(const Body& body, const PaddedGrid& layout, Face face, const GridIndex& first, int length);
   void append(GhostRun run, const std::vector<WallPlace>& places);

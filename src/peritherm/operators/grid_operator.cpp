@@ -6,8 +6,8 @@
 
 #include "peritherm/operators/bond_corrections.hpp"
 #include "peritherm/operators/conduction.hpp"
+#include "peritherm/operators/kernels.hpp"
 #include "peritherm/operators/row_runs.hpp"
-#include "peritherm/operators/stencil_program.hpp"
 #include "peritherm/operators/stencil_sum.hpp"
 
 namespace peritherm {
@@ -15,24 +15,20 @@ namespace {
 
 class GridOperator final : public ConductionOperator {
  public:
-  GridOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil,
-               const std::vector<std::int16_t>& held_by, std::size_t kernel)
+  GridOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil, const HeldPoints& held_by,
+               std::size_t kernel, std::unique_ptr<StencilSum> uniform)
       : layout_(layout),
         stencil_(stencil),
-        uniform_(make_direct_sum(layout, stencil, kernel)),
+        uniform_(uniform ? std::move(uniform) : make_direct_sum(layout, stencil, kernel)),
         kernels_(available_kernels().at(kernel)),
         runs_(make_row_runs(body, held_by)),
-        corrections_(make_corrections(body, layout, stencil)) {
+        corrections_(make_corrections(body, layout, stencil, held_by, kernels_.name)) {
     for (const StencilEntry& entry : stencil.entries) stencil_sum_ += entry.conductance;
-    for (const Material& material : body.materials) conductivities_.push_back(material.conductivity);
-    if (body.materials.size() > 1 || body.has_voids()) material_of_ = body.material_of;
-    const double volume = body.grid.cell_volume();
-    for (std::size_t r = 0; r < corrections_.rows.size(); ++r) {
-      const std::size_t point = body.grid.number(layout.index(static_cast<std::size_t>(corrections_.rows[r])));
-      const Material& material = body.materials[body.material_of[point]];
-      const bool free = held_by.empty() || held_by[point] < 0;
-      correction_scales_.push_back(free ? 1.0 / (volumetric_heat_capacity(material) * volume) : 0.0);
+    for (const Material& material : body.materials) {
+      conductivities_.push_back(material.conductivity);
+      inverse_capacities_.push_back(1.0 / (volumetric_heat_capacity(material) * body.grid.cell_volume()));
     }
+    if (body.materials.size() > 1 || body.has_voids()) material_of_ = body.material_of;
   }
 
   std::size_t size() const override { return layout_.size(); }
@@ -43,8 +39,7 @@ class GridOperator final : public ConductionOperator {
     uniform_->sum(temperature, [&](const double* sums, const GridIndex& first, int width) {
       combine_row(sums, temperature, rate_weight, terms, result, accumulations, first, width);
     });
-#pragma omp parallel for schedule(static)
-    for (std::size_t r = 0; r < corrections_.rows.size(); ++r) correct_row(r, temperature, rate_weight, result);
+    corrections_.apply(temperature, rate_weight, result);
   }
 
   double sum_of_squares(Terms terms) const override {
@@ -83,6 +78,15 @@ class GridOperator final : public ConductionOperator {
     });
   }
 
+  double heat_capacity() const override {
+    return sum_over_rows([&](const RowRun& run, const GridIndex& row, std::size_t) {
+      if (run.rate_scale == 0.0) return 0.0;
+      double sum = 0.0;
+      for (std::int32_t x = run.begin; x < run.end; ++x) sum += layout_.grid().volume_share({x, row[1], row[2]});
+      return run.capacity * sum;
+    });
+  }
+
   Extremes extremes(ConstField temperature) const override {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double lowest = infinity, highest = -infinity;
@@ -113,56 +117,86 @@ class GridOperator final : public ConductionOperator {
     for (const StencilEntry& bond : stencil_.entries) {
       visit(entry + static_cast<std::size_t>(layout_.distance(bond.offset)), own * bond.conductance);
     }
-    const auto found =
-        std::lower_bound(corrections_.rows.begin(), corrections_.rows.end(), static_cast<std::int64_t>(entry));
-    if (found == corrections_.rows.end() || *found != static_cast<std::int64_t>(entry)) return;
-    const auto row = static_cast<std::size_t>(found - corrections_.rows.begin());
-    for (std::int64_t c = corrections_.row_begin[row]; c < corrections_.row_begin[row + 1]; ++c) {
-      visit(entry + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(corrections_.distances[c])),
-            volume_share * corrections_.differences[c]);
+    corrections_.visit(entry, [&](std::int64_t distance, double difference) {
+      visit(static_cast<std::size_t>(static_cast<std::int64_t>(entry) + distance), volume_share * difference);
+    });
+  }
+
+  std::size_t reach() const override {
+    std::ptrdiff_t largest = 0;
+    for (const StencilEntry& bond : stencil_.entries) largest = std::max(largest, layout_.distance(bond.offset));
+    return static_cast<std::size_t>(largest);
+  }
+
+  bool changes_within(double from, double to) const override { return corrections_.changes_within(from, to); }
+
+  /// Offset by offset along the stretch.
+  void add_exchange_weights(const Stretch& stretch, std::span<const std::int16_t> holder, int boundary,
+                            std::int64_t origin, Field weights) const override {
+    const auto length = static_cast<std::size_t>(stretch.length);
+    std::vector<double> scales(length), sums(length, 0.0);
+    GridIndex p = layout_.index(static_cast<std::size_t>(stretch.entry));
+    const std::int16_t* const holders = holder.data() + stretch.entry;
+    for (std::size_t x = 0; x < length; ++x, ++p[0]) {
+      const MaterialIndex material = material_of(layout_.grid().number(p));
+      if (holders[x] >= 0 || material == no_material) continue;
+      scales[x] = conductivities_[material] * layout_.grid().volume_share(p);
     }
-  }
-
-  bool average_over(double from, double to) override {
-    return corrections_.cuts.average_over(from, to, corrections_.differences);
-  }
-
-  bool changes_within(double from, double to) const override { return corrections_.cuts.changes_within(from, to); }
-
-  std::vector<std::size_t> changing_points() const override {
-    std::vector<std::size_t> points;
-    for (const std::size_t c : corrections_.cuts.entries()) {
-      const auto next =
-          std::upper_bound(corrections_.row_begin.begin(), corrections_.row_begin.end(), static_cast<std::int64_t>(c));
-      points.push_back(static_cast<std::size_t>(
-          corrections_.rows[static_cast<std::size_t>(next - corrections_.row_begin.begin()) - 1]));
+    const auto held = static_cast<std::int16_t>(boundary);
+    for (const StencilEntry& bond : stencil_.entries) {
+      const std::ptrdiff_t distance = layout_.distance(bond.offset);
+      const std::int16_t* const others = holders + distance;
+      if (std::find(others, others + length, held) == others + length) continue;
+      double* const there = weights.data() + (stretch.entry - origin + distance);
+      for (std::size_t x = 0; x < length; ++x) {
+        const double conductance = others[x] == held ? scales[x] * bond.conductance : 0.0;
+        sums[x] += conductance;
+        there[x] += conductance;
+      }
     }
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
+    double* const own = weights.data() + (stretch.entry - origin);
+    for (std::size_t x = 0; x < length; ++x) own[x] -= sums[x];
+    if (!corrections_.empty()) add_correction_weights(stretch, scales, holder, held, origin, weights);
   }
+
+  bool average_over(double from, double to) override { return corrections_.average_over(from, to); }
+
+  std::vector<std::size_t> changing_points() const override { return corrections_.changing_points(); }
+
+  const CutBonds* cut_bonds() const override { return &corrections_.cut_bonds(); }
 
   double gershgorin_bound() const override {
     double bound = 0.0;
     for (const RowRun& run : runs_.runs) bound = std::max(bound, 2.0 * stencil_sum_ * run.rate_scale);
-    for (std::size_t r = 0; r < corrections_.rows.size(); ++r) {
-      double raised = 0.0;
-      for (std::int64_t c = corrections_.row_begin[r]; c < corrections_.row_begin[r + 1]; ++c) {
-        raised += std::max(0.0, corrections_.differences[c]);
-      }
-      const GridIndex p = layout_.index(static_cast<std::size_t>(corrections_.rows[r]));
-      const double own = conductivities_[material_of(layout_.grid().number(p))] * stencil_sum_;
-      bound = std::max(bound, 2.0 * correction_scales_[r] * (own + raised));
-    }
+    corrections_.for_raised([&](std::size_t entry, double raised) {
+      const MaterialIndex material = material_of(layout_.grid().number(layout_.index(entry)));
+      bound =
+          std::max(bound, 2.0 * inverse_capacities_[material] * (conductivities_[material] * stencil_sum_ + raised));
+    });
     return bound;
   }
 
   std::size_t bytes() const override {
     return uniform_->bytes() + runs_.runs.capacity() * sizeof(RowRun) +
-           runs_.row_begin.capacity() * sizeof(std::int64_t) + corrections_.bytes() +
-           correction_scales_.capacity() * sizeof(double) + material_of_.capacity();
+           runs_.row_begin.capacity() * sizeof(std::int64_t) + corrections_.bytes() + material_of_.capacity();
   }
 
  private:
+  void add_correction_weights(const Stretch& stretch, const std::vector<double>& scales,
+                              std::span<const std::int16_t> holder, std::int16_t held, std::int64_t origin,
+                              Field weights) const {
+    for (std::int32_t x = 0; x < stretch.length; ++x) {
+      if (scales[static_cast<std::size_t>(x)] == 0.0) continue;
+      const std::int64_t entry = stretch.entry + x;
+      const double volume_share = layout_.grid().volume_share(layout_.index(static_cast<std::size_t>(entry)));
+      corrections_.visit(static_cast<std::size_t>(entry), [&](std::int64_t distance, double difference) {
+        if (holder[static_cast<std::size_t>(entry + distance)] != held) return;
+        weights[static_cast<std::size_t>(entry + distance - origin)] += volume_share * difference;
+        weights[static_cast<std::size_t>(entry - origin)] -= volume_share * difference;
+      });
+    }
+  }
+
   MaterialIndex material_of(std::size_t point) const { return material_of_.empty() ? 0 : material_of_[point]; }
   std::int64_t row_count() const { return static_cast<std::int64_t>(runs_.row_begin.size()) - 1; }
   GridIndex row_index(std::int64_t row) const {
@@ -208,24 +242,14 @@ class GridOperator final : public ConductionOperator {
     }
   }
 
-  void correct_row(std::size_t r, ConstField temperature, double rate_weight, Field result) const {
-    if (correction_scales_[r] == 0.0) return;
-    const double* const own = temperature.data() + corrections_.rows[r];
-    double sum = 0.0;
-    for (std::int64_t c = corrections_.row_begin[r]; c < corrections_.row_begin[r + 1]; ++c) {
-      sum += corrections_.differences[c] * (own[corrections_.distances[c]] - *own);
-    }
-    result[static_cast<std::size_t>(corrections_.rows[r])] += rate_weight * correction_scales_[r] * sum;
-  }
-
   PaddedGrid layout_;
   Stencil stencil_;
   std::unique_ptr<StencilSum> uniform_;
   Kernels kernels_;
   RowRuns runs_;
   BondCorrections corrections_;
-  std::vector<double> correction_scales_;  ///< 1 / (ρ c V) per corrected row; 0 if held
   std::vector<double> conductivities_;
+  std::vector<double> inverse_capacities_;  ///< 1 / (ρ c V) of whole cells [K/J]
   std::vector<MaterialIndex> material_of_;  ///< empty if all points are of the first material
   double stencil_sum_ = 0.0;
 };
@@ -233,10 +257,9 @@ class GridOperator final : public ConductionOperator {
 }  // namespace
 
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
-                                                          const Stencil& stencil,
-                                                          const std::vector<std::int16_t>& held_by,
-                                                          std::size_t kernel) {
-  return std::make_unique<GridOperator>(body, layout, stencil, held_by, kernel);
+                                                          const Stencil& stencil, const HeldPoints& held_by,
+                                                          std::size_t kernel, std::unique_ptr<StencilSum> uniform) {
+  return std::make_unique<GridOperator>(body, layout, stencil, held_by, kernel, std::move(uniform));
 }
 
 }  // namespace peritherm

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "peritherm/discretisation/body.hpp"
+#include "peritherm/discretisation/held_points.hpp"
 
 namespace peritherm {
 
@@ -21,7 +22,7 @@ struct RowRuns {
   std::size_t free_points = 0;
 };
 
-/// `held_by` per point: −1 for free ones.
-RowRuns make_row_runs(const Body& body, const std::vector<std::int16_t>& held_by);
+///
+RowRuns make_row_runs(const Body& body, const HeldPoints& held_by);
 
 }  // namespace peritherm

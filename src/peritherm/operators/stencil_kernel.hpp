@@ -1,129 +1,199 @@
 #pragma once
 
-#include "peritherm/operators/stencil_program.hpp"
+#include <type_traits>
+#include <utility>
 
-/// The block kernel, compiled once per instruction set from the files that include this one. Everything stands in an
+#include "peritherm/operators/kernels.hpp"
+
+#define PERITHERM_INLINE __attribute__((always_inline))
+
+/// The block kernels, compiled once per instruction set from the files that include this one. Everything stands in an
 /// unnamed namespace, so that no two of those files share a compiled function.
 namespace peritherm {
 namespace {
 
-template <int Lanes>
-struct Register {
-  typedef double type __attribute__((vector_size(Lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
+/// Calls visit(0), visit(1), …, visit(Count − 1) with constants, so that arrays indexed by them stay in registers.
+template <int Count, class Visit>
+PERITHERM_INLINE inline void unrolled(const Visit& visit) {
+  [&]<int... Index>(std::integer_sequence<int, Index...>) PERITHERM_INLINE {
+    (visit(std::integral_constant<int, Index>{}), ...);
+  }
+  (std::make_integer_sequence<int, Count>{});
+}
+
+template <class Value, int Lanes>
+struct VectorOf {
+  typedef Value type __attribute__((vector_size(Lanes * sizeof(Value))));
+  typedef Value in_memory __attribute__((vector_size(Lanes * sizeof(Value)), aligned(sizeof(Value)), may_alias));
 };
-template <int Lanes>
-using Lane = typename Register<Lanes>::type;
 
-template <int Lanes, int Vectors, int Rows>
-using Sums = Lane<Lanes>[Rows][Vectors];
+/// Sums of Rows × (Vectors · Lanes) outputs, which stay in registers while the columns of the program pass. Each source
+/// vector is loaded once per column and multiplied into all rows that it serves. The additions of a row come in the
+/// same order for every row and place, so a point's sum does not depend on the block that it falls into.
+template <class Scalar, int Lanes, int Vectors, int Rows, int Registers>
+class Block {
+ public:
+  static constexpr int step = Lanes * Vectors;
 
-/// All pairs of one step, for the rows Low to High; the sums stay in registers.
-template <int Lanes, int Vectors, int Rows, int Low, int High>
-__attribute__((always_inline)) inline void add_pairs(Sums<Lanes, Vectors, Rows>& sums, const double* source,
-                                                     const StencilProgram::Pair* pair, int count,
-                                                     const double* weights) {
-  for (int k = 0; k < count; ++k, ++pair) {
-    const double* const left = source - pair->distance;
-    const double* const right = source + pair->distance;
-    const double* const weight = weights + pair->first_weight;
-    Lane<Lanes> values[Vectors];
-    for (int v = 0; v < Vectors; ++v) {
-      values[v] = *reinterpret_cast<const Lane<Lanes>*>(left + v * Lanes) +
-                  *reinterpret_cast<const Lane<Lanes>*>(right + v * Lanes);
+  static void sum(const StencilProgram& program, const SourcePlane<Scalar>* planes, int length, double* out,
+                  std::ptrdiff_t out_stride) {
+    for (int x = 0; x < length; x += step) sum_step(program, planes, x, out + x, out_stride);
+  }
+
+ private:
+  using Vector = typename VectorOf<Scalar, Lanes>::type;
+  using Sums = Vector[Rows][Vectors];
+
+  /// Where a column finds its sources.
+  struct Sources {
+    const Scalar* at;  ///< first row that is needed
+    std::ptrdiff_t stride, distance, ahead;
+  };
+
+  static constexpr int size_of(int value) { return value < 0 ? -value : value; }
+
+  PERITHERM_INLINE static inline Vector load(const Scalar* from) {
+    return *reinterpret_cast<const typename VectorOf<Scalar, Lanes>::in_memory*>(from);
+  }
+  /// x − 0 is x, so this is a copy to all lanes.
+  PERITHERM_INLINE static inline Vector in_all_lanes(Scalar value) { return value - Vector{}; }
+
+  /// One row of sources serves the outputs Low … High; weight_of(r) is its weight for output row r.
+  template <bool Paired, int Low, int High, class WeightOf>
+  PERITHERM_INLINE static inline void add_row(Sums& sums, Sources& sources, const WeightOf& weight_of) {
+    Vector values[Vectors];
+    unrolled<Vectors>([&](auto v) PERITHERM_INLINE {
+      const Scalar* const middle = sources.at + v * Lanes;
+      if constexpr (Paired) {
+        values[v] = load(middle - sources.distance) + load(middle + sources.distance);
+      } else {
+        values[v] = load(middle);
+        __builtin_prefetch(middle + sources.ahead);
+      }
+    });
+    unrolled<High - Low + 1>([&](auto k) PERITHERM_INLINE {
+      constexpr int row = Low + k;
+      const Vector weight = weight_of(std::integral_constant<int, row>{});
+      unrolled<Vectors>([&](auto v) PERITHERM_INLINE { sums[row][v] += weight * values[v]; });
+    });
+    sources.at += sources.stride;
+    // Without this the compiler loads far ahead and runs out of registers.
+    asm volatile("" : "+r"(sources.at) : : "memory");
+  }
+
+  /// Whether sums, sources and the distinct weights of a column fit into the registers together.
+  static constexpr bool weights_fit(int height) { return Rows * Vectors + Vectors + height + 1 < Registers; }
+
+  /// A column whose height is known when this is compiled.
+  template <bool Paired, int Height>
+  PERITHERM_INLINE static inline void add_known_column(Sums& sums, Sources sources, const Scalar* weights) {
+    Vector held[Height + 1];
+    if constexpr (weights_fit(Height)) {
+      unrolled<Height + 1>([&](auto h) PERITHERM_INLINE { held[h] = in_all_lanes(weights[Height + h]); });
     }
-    for (int row = Low; row <= High; ++row) {
-      for (int v = 0; v < Vectors; ++v) sums[row][v] += weight[row - Low] * values[v];
+    unrolled<Rows + 2 * Height>([&](auto s) PERITHERM_INLINE {
+      constexpr int source = s;
+      constexpr int low = source > 2 * Height ? source - 2 * Height : 0;
+      constexpr int high = source < Rows ? source : Rows - 1;
+      add_row<Paired, low, high>(sums, sources, [&](auto row) PERITHERM_INLINE {
+        if constexpr (weights_fit(Height)) {
+          return held[size_of(source - Height - row)];
+        } else {
+          return in_all_lanes(weights[source - row]);
+        }
+      });
+    });
+  }
+
+  /// A column at least as tall as the block: rows that serve more and more outputs, all of them, fewer and fewer.
+  template <bool Paired>
+  PERITHERM_INLINE static inline void add_tall_column(Sums& sums, Sources sources, const Scalar* weights, int height) {
+    unrolled<Rows - 1>([&](auto s) PERITHERM_INLINE {
+      add_row<Paired, 0, s>(sums, sources, [&](auto row) PERITHERM_INLINE { return in_all_lanes(weights[s - row]); });
+    });
+    const Scalar* const end = weights + 2 * height + 1;
+    for (weights += Rows - 1; weights != end; ++weights) {
+      add_row<Paired, 0, Rows - 1>(sums, sources,
+                                   [&](auto row) PERITHERM_INLINE { return in_all_lanes(weights[-row]); });
+    }
+    unrolled<Rows - 1>([&](auto s) PERITHERM_INLINE {
+      add_row<Paired, s + 1, Rows - 1>(sums, sources,
+                                       [&](auto row) PERITHERM_INLINE { return in_all_lanes(weights[s - row]); });
+    });
+  }
+
+  /// Turns the height into a template argument as far as that helps.
+  template <bool Paired, int Height = 0>
+  PERITHERM_INLINE static inline void add_column(Sums& sums, const Sources& sources, const Scalar* weights,
+                                                 int height) {
+    if constexpr (2 * Height + 1 < Rows || (weights_fit(Height) && Height < Rows)) {
+      if (height == Height) return add_known_column<Paired, Height>(sums, sources, weights);
+      return add_column<Paired, Height + 1>(sums, sources, weights, height);
+    } else {
+      return add_tall_column<Paired>(sums, sources, weights, height);
     }
   }
-}
 
-/// Turns the rows of a step into template arguments.
-template <int Lanes, int Vectors>
-__attribute__((always_inline)) inline void run_step(Sums<Lanes, Vectors, 6>& sums, const StencilProgram::Step& step,
-                                                    const double* source, const StencilProgram& program) {
-  const StencilProgram::Pair* const pairs = program.pairs.data() + step.first_pair;
-  const double* const weights = program.weights.data();
-  const int count = step.pair_count;
-  switch (step.low * 6 + step.high) {
-    case 0:
-      return add_pairs<Lanes, Vectors, 6, 0, 0>(sums, source, pairs, count, weights);
-    case 1:
-      return add_pairs<Lanes, Vectors, 6, 0, 1>(sums, source, pairs, count, weights);
-    case 2:
-      return add_pairs<Lanes, Vectors, 6, 0, 2>(sums, source, pairs, count, weights);
-    case 3:
-      return add_pairs<Lanes, Vectors, 6, 0, 3>(sums, source, pairs, count, weights);
-    case 4:
-      return add_pairs<Lanes, Vectors, 6, 0, 4>(sums, source, pairs, count, weights);
-    case 5:
-      return add_pairs<Lanes, Vectors, 6, 0, 5>(sums, source, pairs, count, weights);
-    case 7:
-      return add_pairs<Lanes, Vectors, 6, 1, 1>(sums, source, pairs, count, weights);
-    case 8:
-      return add_pairs<Lanes, Vectors, 6, 1, 2>(sums, source, pairs, count, weights);
-    case 9:
-      return add_pairs<Lanes, Vectors, 6, 1, 3>(sums, source, pairs, count, weights);
-    case 10:
-      return add_pairs<Lanes, Vectors, 6, 1, 4>(sums, source, pairs, count, weights);
-    case 11:
-      return add_pairs<Lanes, Vectors, 6, 1, 5>(sums, source, pairs, count, weights);
-    case 14:
-      return add_pairs<Lanes, Vectors, 6, 2, 2>(sums, source, pairs, count, weights);
-    case 15:
-      return add_pairs<Lanes, Vectors, 6, 2, 3>(sums, source, pairs, count, weights);
-    case 16:
-      return add_pairs<Lanes, Vectors, 6, 2, 4>(sums, source, pairs, count, weights);
-    case 17:
-      return add_pairs<Lanes, Vectors, 6, 2, 5>(sums, source, pairs, count, weights);
-    case 21:
-      return add_pairs<Lanes, Vectors, 6, 3, 3>(sums, source, pairs, count, weights);
-    case 22:
-      return add_pairs<Lanes, Vectors, 6, 3, 4>(sums, source, pairs, count, weights);
-    case 23:
-      return add_pairs<Lanes, Vectors, 6, 3, 5>(sums, source, pairs, count, weights);
-    case 28:
-      return add_pairs<Lanes, Vectors, 6, 4, 4>(sums, source, pairs, count, weights);
-    case 29:
-      return add_pairs<Lanes, Vectors, 6, 4, 5>(sums, source, pairs, count, weights);
-    case 35:
-      return add_pairs<Lanes, Vectors, 6, 5, 5>(sums, source, pairs, count, weights);
-    default:
-      return;
-  }
-}
-
-template <int Lanes, int Vectors>
-__attribute__((always_inline)) inline void run_step(Sums<Lanes, Vectors, 1>& sums, const StencilProgram::Step& step,
-                                                    const double* source, const StencilProgram& program) {
-  add_pairs<Lanes, Vectors, 1, 0, 0>(sums, source, program.pairs.data() + step.first_pair, step.pair_count,
-                                     program.weights.data());
-}
-
-template <int Lanes, int Vectors, int Rows>
-void run_block(const StencilProgram& program, const FoldedPlane* planes, int columns, double* out,
-               std::ptrdiff_t out_stride) {
-  for (int x = 0; x < columns; x += Lanes * Vectors) {
-    Sums<Lanes, Vectors, Rows> sums{};
-    for (const StencilProgram::Step& step : program.steps) {
-      const FoldedPlane& plane = planes[step.plane];
-      run_step<Lanes, Vectors>(sums, step, plane.origin + step.row * plane.stride + x, program);
+  static const Scalar* weights_of(const StencilProgram& program) {
+    if constexpr (std::is_same_v<Scalar, float>) {
+      return program.single_weights.data();
+    } else {
+      return program.weights.data();
     }
-    for (int row = 0; row < Rows; ++row) {
-      for (int v = 0; v < Vectors; ++v) {
-        *reinterpret_cast<Lane<Lanes>*>(out + row * out_stride + x + v * Lanes) = sums[row][v];
+  }
+
+  static void sum_step(const StencilProgram& program, const SourcePlane<Scalar>* planes, int x, double* out,
+                       std::ptrdiff_t out_stride) {
+    Sums sums{};
+    for (const StencilProgram::Column& column : program.columns) {
+      const SourcePlane<Scalar>& plane = planes[column.plane];
+      const Scalar* const weights = weights_of(program) + column.first_weight;
+      const Sources sources{plane.origin + x - column.height * plane.stride, plane.stride, column.distance,
+                            plane.ahead};
+      if (column.distance == 0) {
+        add_column<false>(sums, sources, weights, column.height);
+      } else {
+        add_column<true>(sums, sources, weights, column.height);
       }
     }
+    unrolled<Rows>([&](auto row) PERITHERM_INLINE {
+      unrolled<Vectors>([&](auto v) PERITHERM_INLINE { store(sums[row][v], out + row * out_stride + v * Lanes); });
+    });
+  }
+
+  PERITHERM_INLINE static inline void store(const Vector& values, double* out) {
+    using Out = VectorOf<double, Lanes>;
+    *reinterpret_cast<typename Out::in_memory*>(out) = __builtin_convertvector(values, typename Out::type);
+  }
+};
+
+template <class Scalar, int Lanes>
+void fold(Patch<const Scalar> above, Patch<const Scalar> below, int rows, int length, Patch<Scalar> out) {
+  using Vector = typename VectorOf<Scalar, Lanes>::in_memory;
+  for (int row = 0; row < rows; ++row) {
+    for (int x = 0; x < length; x += Lanes) {
+      *reinterpret_cast<Vector*>(out.first + x) =
+          *reinterpret_cast<const Vector*>(above.first + x) + *reinterpret_cast<const Vector*>(below.first + x);
+    }
+    above.first += above.stride;
+    below.first += below.stride;
+    out.first += out.stride;
   }
 }
 
-template <int Lanes>
-void sum_block(const StencilProgram& program, const FoldedPlane* planes, int columns, double* out,
-               std::ptrdiff_t out_stride) {
-  if (program.dimension == 1) {
-    run_block<Lanes, lanes_margin / Lanes, 1>(program, planes, columns, out, out_stride);
-  } else {
-    run_block<Lanes, 2, StencilProgram::block_rows>(program, planes, columns, out, out_stride);
+void narrow(Patch<const double> from, double reference, int rows, int length, Patch<float> out) {
+  for (int row = 0; row < rows; ++row) {
+    const double* const values = from.first + row * from.stride;
+    float* const target = out.first + row * out.stride;
+    for (int x = 0; x < length; ++x) target[x] = static_cast<float>(values[x] - reference);
   }
+}
+
+template <class Scalar, int Lanes, int Rows, int Vectors, int Registers>
+constexpr SourceKernels<Scalar> source_kernels() {
+  using Bar = Block<Scalar, Lanes, 4, 1, Registers>;
+  using Rectangle = Block<Scalar, Lanes, Vectors, Rows, Registers>;
+  return {{1, Bar::step, Bar::sum}, {Rows, Rectangle::step, Rectangle::sum}, fold<Scalar, Lanes>};
 }
 
 template <std::size_t Count>
@@ -171,9 +241,7 @@ void accumulate_row(double a_weight, const double* __restrict a, double b_weight
   for (int x = 0; x < length; ++x) target[x] += a_weight * a[x] + b_weight * b[x];
 }
 
-void fold_row(const double* above, const double* below, int length, double* out) {
-  for (int x = 0; x < length; ++x) out[x] = above[x] + below[x];
-}
-
 }  // namespace
 }  // namespace peritherm
+
+#undef PERITHERM_INLINE

@@ -1,10 +1,11 @@
-#include "peritherm/operators/kernels.hpp"
 #include "peritherm/operators/stencil_kernel.hpp"
 
 namespace peritherm {
 
 const Kernels* kernels_baseline() {
-  static constexpr Kernels kernels{"baseline", sum_block<2>, combine_row, fold_row, accumulate_row};
+  static constexpr Kernels kernels{
+      "baseline",    source_kernels<double, 2, 6, 2, 16>(), source_kernels<float, 4, 6, 2, 16>(), narrow, combine_row,
+      accumulate_row};
   return &kernels;
 }
 

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/discretisation/row_intervals.hpp"
+#include "peritherm/operators/fourier_sum.hpp"
+#include "peritherm/simulation/backend_choice.hpp"
 #include "peritherm/simulation/check.hpp"
 
 namespace peritherm {
@@ -102,8 +106,7 @@ int held_layers(const HeldTemperature& held, const Grid& grid, double horizon) {
 }
 
 /// Where two faces meet, the later axis decides; a selected set of points goes before faces.
-void hold_points(const Problem& problem, Geometry& geometry) {
-  const Body& body = geometry.body;
+std::vector<std::size_t> order_of_holding(const Problem& problem) {
   std::vector<std::size_t> order(problem.boundaries.size());
   for (std::size_t b = 0; b < order.size(); ++b) order[b] = b;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -113,32 +116,46 @@ void hold_points(const Problem& problem, Geometry& geometry) {
     };
     return rank(a) < rank(b);
   });
-  geometry.held_by.assign(body.grid.size(), -1);
-  for (const std::size_t b : order) {
+  return order;
+}
+
+/// Calls visit(point) for what a boundary of held temperature holds.
+template <class Visit>
+void for_held(const BoundaryOptions& boundary, std::size_t number, const Geometry& geometry, Visit&& visit) {
+  const Body& body = geometry.body;
+  const Grid& grid = body.grid;
+  if (boundary.face) {
+    const auto& held = std::get<HeldTemperature>(boundary.condition);
+    const int layers =
+        std::min(held_layers(held, grid, geometry.stencil_options.horizon), grid.count(axis_of(*boundary.face)));
+    for (int depth = 0; depth < layers; ++depth) {
+      for_layer(grid, *boundary.face, depth, [&](const GridIndex& p) {
+        if (body.boundary_at(*boundary.face, p) == static_cast<int>(number)) visit(p);
+      });
+    }
+    return;
+  }
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    const GridIndex p = grid.index(n);
+    if (contains(*boundary.where, grid.position(p), 1e-9 * grid.spacing)) visit(p);
+  }
+}
+
+void hold_points(const Problem& problem, Geometry& geometry) {
+  const Body& body = geometry.body;
+  geometry.held_boxes.resize(problem.boundaries.size());
+  for (const std::size_t b : order_of_holding(problem)) {
     const BoundaryOptions& boundary = problem.boundaries[b];
     const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
     if (held == nullptr) continue;
     std::size_t count = 0;
-    const auto hold = [&](const GridIndex& p) {
+    for_held(boundary, b, geometry, [&](const GridIndex& p) {
       const std::size_t n = body.grid.number(p);
       if (body.material_of[n] == no_material) return;
-      geometry.held_by[n] = static_cast<std::int16_t>(b);
+      geometry.held_by.hold(n, static_cast<std::int16_t>(b), body.grid.size());
+      geometry.held_boxes[b].include(p);
       ++count;
-    };
-    if (boundary.face) {
-      const int layers = std::min(held_layers(*held, body.grid, geometry.stencil_options.horizon),
-                                  body.grid.count(axis_of(*boundary.face)));
-      for (int depth = 0; depth < layers; ++depth) {
-        for_layer(body.grid, *boundary.face, depth, [&](const GridIndex& p) {
-          if (body.boundary_at(*boundary.face, p) == static_cast<int>(b)) hold(p);
-        });
-      }
-    } else {
-      for (std::size_t n = 0; n < body.grid.size(); ++n) {
-        const GridIndex p = body.grid.index(n);
-        if (contains(*boundary.where, body.grid.position(p), 1e-9 * body.grid.spacing)) hold(p);
-      }
-    }
+    });
     if (count == 0 && (!boundary.face || held->imposed == Imposed::inner)) {
       throw Error("boundary." + std::to_string(b) + ": holds no point",
                   "Choose a thicker layer, or a part of the body that is not cut away");
@@ -146,36 +163,32 @@ void hold_points(const Problem& problem, Geometry& geometry) {
   }
 }
 
-/// Entries of the points that may exchange heat with what a boundary holds.
-std::vector<std::int64_t> find_near_held(const Geometry& geometry, const BoundaryOptions& boundary, std::size_t number,
-                                         const PaddedGrid& layout) {
+/// The points that may exchange heat with what a boundary holds.
+std::vector<ConductionOperator::Stretch> find_near_held(const Geometry& geometry, const BoundaryOptions& boundary,
+                                                        std::size_t number, const PaddedGrid& layout) {
   if (!std::holds_alternative<HeldTemperature>(boundary.condition)) return {};
   const Grid& grid = geometry.body.grid;
   const int radius = geometry.stencil.radius;
-  GridIndex low{grid.count(0), grid.count(1), grid.count(2)};
-  GridIndex high{-1, -1, -1};
-  const auto include = [&](const GridIndex& p) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p[axis] - radius);
-      high[axis] = std::max(high[axis], p[axis] + radius);
-    }
-  };
-  if (boundary.face) for_layer(grid, *boundary.face, 0, include);
-  for (std::size_t n = 0; n < grid.size(); ++n) {
-    if (geometry.held_by[n] == static_cast<std::int16_t>(number)) include(grid.index(n));
+  IndexBox box = geometry.held_boxes[number];
+  if (boundary.face) {
+    const int axis = axis_of(*boundary.face);
+    GridIndex first{}, last{grid.count(0) - 1, grid.count(1) - 1, grid.count(2) - 1};
+    (is_upper(*boundary.face) ? first : last)[axis] = is_upper(*boundary.face) ? grid.count(axis) - 1 : 0;
+    box.include(first);
+    box.include(last);
   }
-  std::vector<std::int64_t> entries;
-  for (int z = std::max(0, low[2]); z <= std::min(high[2], grid.count(2) - 1); ++z) {
-    for (int y = std::max(0, low[1]); y <= std::min(high[1], grid.count(1) - 1); ++y) {
-      for (int x = std::max(0, low[0]); x <= std::min(high[0], grid.count(0) - 1); ++x) {
-        entries.push_back(static_cast<std::int64_t>(layout.entry({x, y, z})));
-      }
-    }
+  std::vector<RowInterval> rows;
+  append_box(grid, {box.low[0] - radius, box.low[1] - radius, box.low[2] - radius},
+             {box.high[0] + radius, box.high[1] + radius, box.high[2] + radius}, rows);
+  std::vector<ConductionOperator::Stretch> stretches;
+  for (const RowInterval& row : rows) {
+    stretches.push_back({static_cast<std::int64_t>(layout.entry(first_point(grid, row))), row.end - row.begin});
   }
-  return entries;
+  return stretches;
 }
 
-std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, const PaddedGrid& layout) {
+std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, const PaddedGrid& layout,
+                                                      Precision precision) {
   const Body& body = geometry.body;
   const Points points = make_points(body, layout);
   const StencilOptions& options = geometry.stencil_options;
@@ -207,7 +220,15 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
   std::vector<std::int64_t> owned(points.entries.begin(),
                                   points.entries.begin() + static_cast<std::ptrdiff_t>(points.owned));
   return make_bond_operator(make_bonds(points, options, calibration, BondTracer(body), partner), std::move(owned),
-                            std::move(inverse_capacities), layout.size());
+                            std::move(inverse_capacities), layout.size(), precision);
+}
+
+std::unique_ptr<ConductionOperator> make_grid_backend(const Geometry& geometry, const PaddedGrid& layout,
+                                                      BackendName backend, Precision precision) {
+  constexpr std::size_t kernel = 0;
+  auto uniform = backend == BackendName::fourier ? make_fourier_sum(layout, geometry.stencil, precision)
+                                                 : make_direct_sum(layout, geometry.stencil, kernel, precision);
+  return make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by, kernel, std::move(uniform));
 }
 
 /// Every bond conducts at most as the best material does, and every point stores at least as the poorest.
@@ -233,29 +254,6 @@ double spectral_bound(const Geometry& geometry) {
     }
   }
   return conductivity * largest_symbol(geometry.stencil, body.grid.dimension) / (capacity * body.grid.cell_volume());
-}
-
-std::vector<HeatedPart> make_sources(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout) {
-  const Body& body = geometry.body;
-  std::vector<HeatedPart> parts;
-  for (const HeatSource& source : problem.sources) {
-    HeatedPart part{source.value, {}};
-    for (std::size_t n = 0; n < body.grid.size(); ++n) {
-      const GridIndex p = body.grid.index(n);
-      const Point x = body.grid.position(p);
-      if (body.material_of[n] == no_material || geometry.held_by[n] >= 0) continue;
-      if (source.where && !contains(*source.where, x, 1e-9 * body.grid.spacing)) continue;
-      const double volume = body.grid.cell_volume() * body.grid.volume_share(p);
-      part.points.push_back({static_cast<std::int64_t>(layout.entry(p)), x, volume,
-                             1.0 / (volumetric_heat_capacity(body.materials[body.material_of[n]]) * volume)});
-    }
-    if (part.points.empty()) {
-      throw Error("source." + std::to_string(parts.size()) + ": heats no point, for all of them are cut away or held",
-                  "Move or enlarge its shape");
-    }
-    parts.push_back(std::move(part));
-  }
-  return parts;
 }
 
 }  // namespace
@@ -285,14 +283,10 @@ Geometry make_geometry(const Problem& problem) {
   return geometry;
 }
 
-BackendName choose_backend(const Problem& problem) {
-  return problem.numerics.backend == BackendName::bond ? BackendName::bond : BackendName::stencil;
-}
-
 Assembly assemble(const Problem& problem) {
   Geometry geometry = make_geometry(problem);
   const PaddedGrid layout(geometry.body.grid, geometry.stencil.radius);
-  const BackendName backend = choose_backend(problem);
+  const BackendName backend = expect_backend(problem, geometry.stencil, 1).backend;
   HeatSystemParts parts;
   std::vector<bool> depends_on_place;
   for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
@@ -306,26 +300,46 @@ Assembly assemble(const Problem& problem) {
         std::get_if<HeldTemperature>(&problem.boundaries[static_cast<std::size_t>(slots.boundary)].condition);
     if (held != nullptr && slots.begin.size() > 1) parts.wall_temperatures.add(held->value, slots.places, slots.begin);
   }
+  parts.grid = geometry.body.grid;
   parts.exchanges = make_exchanges(problem, geometry, layout, parts.exchange_values);
   parts.sources = make_sources(problem, geometry, layout);
   parts.boundary_names = geometry.boundary_names;
   parts.spectral_bound = spectral_bound(geometry);
   parts.bound_is_sharp = parts.spectral_bound > 0.0 && geometry.body.regions.empty();
   parts.conduction = backend == BackendName::bond
-                         ? make_bond_backend(geometry, layout)
-                         : make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by);
+                         ? make_bond_backend(geometry, layout, problem.numerics.precision)
+                         : make_grid_backend(geometry, layout, backend, problem.numerics.precision);
   return {std::move(geometry), layout, backend, std::make_unique<HeatSystem>(std::move(parts))};
 }
 
-std::vector<double> initial_state(const Problem& problem, const Assembly& assembly) {
+FieldStorage initial_state(const Problem& problem, const Assembly& assembly) {
   const Body& body = assembly.geometry.body;
-  std::vector<double> state(assembly.system->size(), 0.0);
-  CompiledProfile profile(problem.initial.temperature);
-  for (std::size_t n = 0; n < body.grid.size(); ++n) {
-    if (body.material_of[n] == no_material) continue;
-    const GridIndex p = body.grid.index(n);
-    state[assembly.layout.entry(p)] = profile(body.grid.position(p), 0.0);
+  const PaddedGrid& layout = assembly.layout;
+  FieldStorage state(assembly.system->size());
+  const std::int64_t rows = static_cast<std::int64_t>(body.grid.count(1)) * body.grid.count(2);
+  std::exception_ptr failure;
+#pragma omp parallel
+  {
+    CompiledProfile profile(problem.initial.temperature);
+    const bool uniform = !profile.depends_on_place();
+    const double common = uniform ? profile(Point{}, 0.0) : 0.0;
+#pragma omp for schedule(static)
+    for (std::int64_t row = 0; row < rows; ++row) {
+      GridIndex p{0, static_cast<int>(row % body.grid.count(1)), static_cast<int>(row / body.grid.count(1))};
+      double* const values = state.data() + layout.entry(p);
+      const MaterialIndex* const materials = body.material_of.data() + body.grid.number(p);
+      try {
+        for (; p[0] < body.grid.count(0); ++p[0]) {
+          if (materials[p[0]] == no_material) continue;
+          values[p[0]] = uniform ? common : profile(body.grid.position(p), 0.0);
+        }
+      } catch (...) {
+#pragma omp critical
+        failure = std::current_exception();
+      }
+    }
   }
+  if (failure) std::rethrow_exception(failure);
   assembly.system->fill(0.0, state);
   return state;
 }

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "peritherm/base/field_storage.hpp"
 #include "peritherm/discretisation/body.hpp"
+#include "peritherm/discretisation/held_points.hpp"
 #include "peritherm/discretisation/padded_grid.hpp"
 #include "peritherm/discretisation/stencil.hpp"
 #include "peritherm/simulation/problem.hpp"
@@ -13,12 +17,26 @@
 
 namespace peritherm {
 
+/// The smallest box of indices around some points.
+struct IndexBox {
+  GridIndex low{std::numeric_limits<int>::max() / 2, std::numeric_limits<int>::max() / 2,
+                std::numeric_limits<int>::max() / 2};
+  GridIndex high{-low[0], -low[1], -low[2]};
+  void include(const GridIndex& p) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  }
+};
+
 /// The body of a problem, ready to be given bonds.
 struct Geometry {
   Body body;
   StencilOptions stencil_options;
   Stencil stencil;
-  std::vector<std::int16_t> held_by;        ///< per point: index of the boundary that holds it, −1 for free ones
+  HeldPoints held_by;
+  std::vector<IndexBox> held_boxes;         ///< per boundary: around the points that it holds
   std::vector<std::string> material_names;  ///< in the order of Body::materials
   std::vector<std::string> boundary_names;  ///< "y_max temperature"
 };
@@ -26,25 +44,26 @@ struct Geometry {
 /// The problem must have passed `check`.
 Geometry make_geometry(const Problem& problem);
 
-/// "stencil" or "bond".
-BackendName choose_backend(const Problem& problem);
-
 /// What a run works with.
 struct Assembly {
   Geometry geometry;
   PaddedGrid layout;
-  BackendName backend;
+  BackendName backend;  ///< never automatic
   std::unique_ptr<HeatSystem> system;
 };
 
+/// Where the problem leaves the backend open, the cost model decides; see choose_backend for a choice by measurement.
 Assembly assemble(const Problem& problem);
 
 /// State at time 0: initial temperatures, no heat passed.
-std::vector<double> initial_state(const Problem& problem, const Assembly& assembly);
+FieldStorage initial_state(const Problem& problem, const Assembly& assembly);
 
 /// Heat exchanges of the flux and convection boundaries; fills `values` with what they prescribe.
 std::vector<SurfaceExchange> make_exchanges(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout,
                                             PrescribedValues& values);
+
+/// What heats the points of the body from within. Throws Error if a source heats no point.
+std::vector<HeatedPart> make_sources(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout);
 
 /// Heat flux vector at every point [W/m²], NaN where cut away: one-sided in 1-D [bobaru2010, eq. 12], from the hotter
 /// neighbours in 2-D and 3-D [bobaru2012, eq. 7]; it points from hot to cold. `state` must be filled.

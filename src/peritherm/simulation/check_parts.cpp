@@ -2,6 +2,7 @@
 #include <set>
 
 #include "peritherm/base/text.hpp"
+#include "peritherm/operators/fourier_sum.hpp"
 #include "peritherm/simulation/checker.hpp"
 
 namespace peritherm {
@@ -161,6 +162,10 @@ void check_outputs(Checker& checker) {
 }
 
 void check_numerics(Checker& checker) {
+  if (checker.problem.numerics.backend == BackendName::fourier && !fourier_sum_available()) {
+    checker.add("numerics.backend", "'fft' needs FFTW, which this build has not",
+                "Install libfftw3-dev and configure with -DPERITHERM_FFTW=ON, or choose \"stencil\"");
+  }
   const int threads = checker.problem.numerics.threads;
   if (threads < 0 || threads > 1024) {
     checker.add("numerics.threads", "must lie between 0 and 1024", "Got " + std::to_string(threads));

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/discretisation/damage.hpp"
+#include "peritherm/discretisation/padded_grid.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/memory.hpp"
@@ -17,10 +19,6 @@
 namespace peritherm {
 namespace {
 
-/// Rough costs of one evaluation on one core of a present-day machine [s].
-constexpr double stencil_seconds_per_bond = 0.08e-9;
-constexpr double stencil_seconds_per_point = 4e-9;
-constexpr double list_seconds_per_bond = 1.3e-9;
 /// Below this, waiting for one another costs threads more than they gain, above all on a busy machine.
 constexpr double least_work_per_thread = 150e-6;
 
@@ -46,12 +44,36 @@ double growth_evaluations(const Problem& problem, double spacing, double toleran
   return 210.0 * passed * std::pow(1e-4 / tolerance, 0.35);
 }
 
-double bytes_of_fields(const Grid& grid, int radius, int states) {
-  double padded = 1.0;
-  for (int axis = 0; axis < grid.dimension; ++axis) padded *= grid.count(axis) + 2.0 * radius;
-  // Materials, holders and special flags take 4 B a point; output gathers temperature and flux, 32 B; the energy
-  // balance needs a field for a moment.
-  return padded * 8.0 * states + static_cast<double>(grid.size()) * 44.0;
+/// Temperatures are gathered for whatever is written; flux and damage one after the other.
+double bytes_while_writing(const OutputKind& kind) {
+  std::vector<FieldName> fields;
+  if (const auto* vtk = std::get_if<VtkOutput>(&kind)) fields = vtk->fields;
+  if (const auto* picture = std::get_if<PictureOutput>(&kind)) fields = {picture->field};
+  double most = 0.0;
+  for (const FieldName field : fields) {
+    most = std::max(most, field == FieldName::heat_flux ? 24.0 : (field == FieldName::damage ? 8.0 : 0.0));
+  }
+  return 8.0 + most;
+}
+
+constexpr double bytes_of_program = 12e6;  // the library, what it links to, and a folder's worth of small things
+
+/// The states that a run holds, and what its outputs take for the moment of writing.
+double bytes_of_fields(const Problem& problem, int states) {
+  const Grid grid = make_grid(problem);
+  const double ratio = horizon_of(problem) / grid.spacing;
+  const PaddedGrid layout(grid, static_cast<int>(std::ceil(ratio + 0.5)));
+  bool holds = grid.placement == PointPlacement::boundary;
+  for (const BoundaryOptions& boundary : problem.boundaries) {
+    const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
+    holds = holds || (held != nullptr && (!boundary.face || held->imposed == Imposed::inner));
+  }
+  double per_point = 1.0 + (holds ? 2.0 : 0.0);
+  double output = 0.0;
+  for (const OutputOptions& options : problem.outputs) output = std::max(output, bytes_while_writing(options.kind));
+  per_point += output;
+  return bytes_of_program + 8.0 * states * static_cast<double>(layout.size()) +
+         per_point * static_cast<double>(grid.size());
 }
 
 double bytes_of_bonds(const Grid& grid, std::size_t bonds_per_point) {
@@ -75,89 +97,117 @@ void refuse_if_too_large(double bytes, const Grid& grid) {
               "Choose fewer cells, or run it on a machine with more memory", Fault::machine);
 }
 
-/// One evaluation on one thread.
-double evaluation_seconds(const Problem& problem, const Stencil& stencil) {
-  const auto points = static_cast<double>(make_grid(problem).size());
-  const double bonds = points * static_cast<double>(stencil.entries.size());
-  if (choose_backend(problem) == BackendName::bond) return bonds * list_seconds_per_bond;
-  return bonds * stencil_seconds_per_bond + points * stencil_seconds_per_point;
+double evaluations_for(const Problem& problem, const TimeStepping& stepping, double fastest_rate, double spacing,
+                       std::size_t state_size) {
+  double evaluations = estimate_evaluations(stepping, fastest_rate, march_times(problem), state_size);
+  if (const auto* stabilised = std::get_if<RungeKuttaLegendre>(&stepping)) {
+    evaluations += growth_evaluations(problem, spacing, stabilised->relative_tolerance);
+  }
+  return evaluations;
 }
 
-void estimate_costs(const Problem& problem, const TimeStepping& stepping, HeatSystem& system, const Stencil& stencil,
-                    int threads, Plan& plan) {
+void estimate_steps(const Problem& problem, const TimeStepping& stepping, HeatSystem& system, Plan& plan) {
   const double fastest_rate = system.fastest_rate();
-  plan.evaluations = estimate_evaluations(stepping, fastest_rate, march_times(problem), system.size());
+  plan.evaluations = evaluations_for(problem, stepping, fastest_rate, plan.spacing, system.size());
   std::visit(
       [&](const auto& chosen) {
         plan.stable_step = chosen.stability / fastest_rate;
         if constexpr (requires { chosen.step; }) plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
       },
       stepping);
-  if (const auto* stabilised = std::get_if<RungeKuttaLegendre>(&stepping)) {
-    plan.evaluations += growth_evaluations(problem, plan.spacing, stabilised->relative_tolerance);
-  }
-  plan.duration = plan.evaluations * evaluation_seconds(problem, stencil) / threads;
 }
 
-double memory_estimate(const Problem& problem) {
-  const Grid grid = make_grid(problem);
-  const StencilOptions options = stencil_options(problem);
-  const double ratio = options.horizon / grid.spacing;
-  double bytes = bytes_of_fields(grid, static_cast<int>(std::ceil(ratio + 0.5)),
-                                 std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
-  // Heated points carry their place and heat capacity, and a field holds their rates.
-  if (!problem.sources.empty()) bytes += 64.0 * static_cast<double>(grid.size());
-  if (choose_backend(problem) == BackendName::bond) {
-    bytes += bytes_of_bonds(grid, make_stencil(options, grid.spacing, grid.dimension).entries.size());
+/// Before anything large is made: no bond conducts better than the best of all materials, no point stores less than the
+/// poorest.
+double expected_fastest_rate(const Problem& problem, const Grid& grid, const Stencil& stencil) {
+  double conductivity = 0.0, capacity = std::numeric_limits<double>::infinity();
+  for (const auto& [name, material] : problem.materials) {
+    conductivity = std::max(conductivity, material.conductivity);
+    capacity = std::min(capacity, volumetric_heat_capacity(material));
   }
+  return conductivity * largest_symbol(stencil, grid.dimension) / (capacity * grid.cell_volume());
+}
+
+/// What does not depend on the bonds of this very body.
+double memory_of_run(const Problem& problem) {
+  return bytes_of_fields(problem,
+                         std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
+}
+
+/// Known before anything is allocated: corrected bonds are not, but they lie near surfaces and cracks only.
+double memory_estimate(const Problem& problem, BackendName backend, int threads) {
+  const Grid grid = make_grid(problem);
+  const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
+  double bytes = memory_of_run(problem) + backend_bytes(problem, backend, stencil.radius, threads);
+  if (!problem.sources.empty()) bytes += 8.0 * static_cast<double>(grid.size());
+  if (backend == BackendName::bond) bytes += bytes_of_bonds(grid, stencil.entries.size());
   return bytes;
 }
 
-}  // namespace
-
-void refuse_if_too_large(const Problem& problem) { refuse_if_too_large(memory_estimate(problem), make_grid(problem)); }
-
+/// Threads that the run uses; also tells OpenMP.
 int set_threads(const Problem& problem) {
   int threads = problem.numerics.threads;
   if (threads == 0) {
-    const double work = evaluation_seconds(
-        problem, make_stencil(stencil_options(problem), make_grid(problem).spacing, make_grid(problem).dimension));
+    const Grid grid = make_grid(problem);
+    const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
+    const double work = expect_backend(problem, stencil, 1).evaluation_seconds;
     threads = std::clamp(static_cast<int>(work / least_work_per_thread), 1, omp_get_num_procs());
   }
   omp_set_num_threads(threads);
   return threads;
 }
 
-Plan make_plan(const Problem& problem, const Assembly& assembly, const ChosenStepping& chosen, int threads) {
+}  // namespace
+
+Prepared prepare(const Problem& problem) {
+  Prepared prepared{problem, {}, set_threads(problem)};
+  const Grid grid = make_grid(problem);
+  const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
+  const double evaluations = evaluations_for(problem, problem.time.integrator,
+                                             expected_fastest_rate(problem, grid, stencil), grid.spacing, grid.size());
+  prepared.choice = choose_backend(problem, stencil, prepared.threads, evaluations);
+  prepared.problem.numerics.backend = prepared.choice.backend;
+  refuse_if_too_large(memory_estimate(prepared.problem, prepared.choice.backend, prepared.threads), grid);
+  return prepared;
+}
+
+Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenStepping& chosen) {
+  const Problem& problem = prepared.problem;
   const Geometry& geometry = assembly.geometry;
   const Body& body = geometry.body;
   Plan plan;
   plan.dimension = body.grid.dimension;
   plan.spacing = body.grid.spacing;
   plan.horizon = geometry.stencil_options.horizon;
-  plan.points = static_cast<std::size_t>(std::count_if(body.material_of.begin(), body.material_of.end(),
-                                                       [](MaterialIndex m) { return m != no_material; }));
-  plan.bonds = count_bonds(body, geometry.stencil);
-  for (const CutBond& cut : find_cut_bonds(body, geometry.stencil)) {
-    plan.cut_bonds += cut.time <= problem.time.end ? 1 : 0;
+  plan.points = body.grid.size();
+  if (body.has_voids()) {
+    plan.points -= static_cast<std::size_t>(std::count(body.material_of.begin(), body.material_of.end(), no_material));
   }
+  plan.bonds = count_bonds(body, geometry.stencil);
+  const CutBonds* const known = assembly.system->conduction().cut_bonds();
+  plan.cut_bonds = known != nullptr ? known->count_before(problem.time.end)
+                                    : find_cut_bonds(body, geometry.stencil).count_before(problem.time.end);
   plan.backend = name_of(assembly.backend);
+  plan.backend_reason = prepared.choice.reason;
+  plan.precision = name_of(problem.numerics.precision);
   plan.integrator = std::visit([](const auto& options) { return std::string(options.name); }, chosen.stepping);
   plan.integrator_reason = chosen.reason;
-  plan.memory_bytes = static_cast<std::size_t>(memory_estimate(problem));
-  if (assembly.backend == BackendName::stencil) plan.memory_bytes += assembly.system->bytes();
-  estimate_costs(problem, chosen.stepping, *assembly.system, geometry.stencil, threads, plan);
+  plan.memory_bytes = static_cast<std::size_t>(
+      assembly.backend == BackendName::bond ? memory_estimate(problem, assembly.backend, prepared.threads)
+                                            : memory_of_run(problem) + static_cast<double>(assembly.system->bytes()));
+  estimate_steps(problem, chosen.stepping, *assembly.system, plan);
+  plan.duration = plan.evaluations * prepared.choice.evaluation_seconds;
   return plan;
 }
 
 Plan plan(const Problem& problem) {
-  refuse_if_too_large(problem);
-  const int threads = set_threads(problem);
-  const Assembly assembly = assemble(problem);
+  const Prepared prepared = prepare(problem);
+  const Assembly assembly = assemble(prepared.problem);
   // Refuses a step beyond the stability limit, as the run would.
-  const ChosenStepping chosen = choose_stepping(problem.time.integrator, *assembly.system, 0.0, march_times(problem));
+  const ChosenStepping chosen =
+      choose_stepping(prepared.problem.time.integrator, *assembly.system, 0.0, march_times(prepared.problem));
   make_integrator(chosen.stepping, *assembly.system);
-  return make_plan(problem, assembly, chosen, threads);
+  return make_plan(prepared, assembly, chosen);
 }
 
 }  // namespace peritherm

@@ -1,17 +1,22 @@
 #pragma once
 
 #include "peritherm/simulation/assemble.hpp"
+#include "peritherm/simulation/backend_choice.hpp"
 #include "peritherm/simulation/simulate.hpp"
 
 namespace peritherm {
 
-/// Throws Error (Fault::machine) with the figures if the run would not fit into the memory that is available; nothing
-/// large has been allocated by then.
-void refuse_if_too_large(const Problem& problem);
+/// A problem whose backend is chosen, and what the choice was made by.
+struct Prepared {
+  Problem problem;  ///< numerics.backend is never automatic
+  BackendChoice choice;
+  int threads = 1;
+};
 
-Plan make_plan(const Problem& problem, const Assembly& assembly, const ChosenStepping& chosen, int threads);
+/// Tells OpenMP the number of threads and chooses the backend. Throws Error (Fault::machine) with the figures if the
+/// run would not fit into the memory that is available; nothing large has been allocated by then.
+Prepared prepare(const Problem& problem);
 
-/// Threads that a run uses; also tells OpenMP.
-int set_threads(const Problem& problem);
+Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenStepping& chosen);
 
 }  // namespace peritherm

@@ -30,8 +30,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 class EnergyBalance {
  public:
   EnergyBalance(const HeatSystem& system, ConstField state) : system_(system), first_(system.stored_heat(state)) {
-    std::vector<double> ones(state.size(), 1.0);
-    capacity_ = system.stored_heat(ones);
+    capacity_ = system.heat_capacity();
     widen(state);
   }
 
@@ -69,7 +68,7 @@ class Gallery {
   Gallery(const Problem& problem, const Assembly& assembly, const std::filesystem::path& folder)
       : problem_(problem), assembly_(assembly), watches_(make_watches(problem, folder)) {}
 
-  void show(double time, std::vector<double>& state, bool everybody) {
+  void show(double time, FieldStorage& state, bool everybody) {
     std::vector<Observer*> due;
     for (const Watch& watch : watches_) {
       if (everybody || watch.is_due(time)) due.push_back(watch.observer.get());
@@ -104,7 +103,7 @@ class Gallery {
   }
 
  private:
-  std::vector<HeatAccount> accounts(double time, std::vector<double>& state) {
+  std::vector<HeatAccount> accounts(double time, FieldStorage& state) {
     const std::vector<double> rates = assembly_.system->account_rates(time, state);
     const std::vector<double> heats = assembly_.system->account_heats(state);
     const std::vector<std::string> names = assembly_.system->account_names();
@@ -121,7 +120,8 @@ class Gallery {
     return lines;
   }
 
-  const std::vector<CutBond>& cuts() {
+  const CutBonds& cuts() {
+    if (const CutBonds* const known = assembly_.system->conduction().cut_bonds()) return *known;
     if (!cuts_) cuts_ = find_cut_bonds(assembly_.geometry.body, assembly_.geometry.stencil);
     return *cuts_;
   }
@@ -129,7 +129,7 @@ class Gallery {
   const Problem& problem_;
   const Assembly& assembly_;
   std::vector<Watch> watches_;
-  std::optional<std::vector<CutBond>> cuts_;
+  std::optional<CutBonds> cuts_;
 };
 
 [[noreturn]] void report_not_finite(const Assembly& assembly, ConstField state, double time) {
@@ -270,7 +270,7 @@ class March {
   Assembly& assembly_;
   RunSummary& summary_;
   Gallery gallery_;
-  std::vector<double> state_;
+  FieldStorage state_;
   EnergyBalance balance_;
   std::unique_ptr<TimeIntegrator> integrator_;
   bool stopped_ = false;
@@ -281,13 +281,14 @@ class March {
 
 }  // namespace
 
-RunSummary run(const Problem& problem, const RunSettings& settings) {
-  refuse_if_too_large(problem);
-  const int threads = set_threads(problem);
+RunSummary run(const Problem& given, const RunSettings& settings) {
+  // The backend that was chosen stands in resolved.toml: another choice would give other last digits.
+  const Prepared prepared = prepare(given);
+  const Problem& problem = prepared.problem;
   Assembly assembly = assemble(problem);
   RunSummary summary;
   const ChosenStepping chosen = choose_stepping(problem.time.integrator, *assembly.system, 0.0, march_times(problem));
-  summary.plan = make_plan(problem, assembly, chosen, threads);
+  summary.plan = make_plan(prepared, assembly, chosen);
   // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
   March march(problem, settings, chosen.stepping, assembly, summary);
   prepare_folder(settings);

@@ -16,13 +16,15 @@ struct Plan {
   std::size_t points = 0;         ///< points of the body; cut-away ones are not counted
   std::size_t bonds = 0;          ///< pairs of points that exchange heat, cut ones included
   std::size_t cut_bonds = 0;      ///< of them cut by the end of the run
-  std::string backend;            ///< "stencil" or "bond"
-  std::string integrator;         ///< "rkl2", …
+  std::string backend;            ///< "stencil", "fft" or "bond"
+  std::string backend_reason;     ///< what it was chosen by, with times per evaluation
+  std::string precision;          ///< "double" or "single"
+  std::string integrator;         ///< "chebyshev", "rkl2", …
   std::string integrator_reason;  ///< why it was taken; empty if the user chose
   double horizon = 0.0;           ///< [m]
   double spacing = 0.0;           ///< [m]
   double stable_step = 0.0;       ///< [s]
-  double step = 0.0;              ///< of a fixed-step integrator [s]; 0: chosen by error control
+  double step = 0.0;              ///< of a fixed-step integrator [s]; 0: none has one
   std::size_t memory_bytes = 0;   ///< estimate for the whole run
   double evaluations = 0.0;       ///< estimate
   double duration = 0.0;          ///< estimate [s]

@@ -18,6 +18,8 @@ void write_summary(const RunSummary& summary, const std::filesystem::path& folde
       {"bonds", plan.bonds},
       {"cut_bonds", plan.cut_bonds},
       {"backend", plan.backend},
+      {"backend_reason", plan.backend_reason},
+      {"precision", plan.precision},
       {"integrator", plan.integrator},
       {"spacing_m", plan.spacing},
       {"horizon_m", plan.horizon},

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <exception>
+#include <map>
 #include <unordered_map>
 
 #include "peritherm/system/spectral_estimate.hpp"
@@ -27,53 +28,80 @@ HeatSystem::HeatSystem(HeatSystemParts parts) : parts_(std::move(parts)), field_
   if (!parts_.sources.empty()) load_.assign(size(), 0.0);
   parts_.conduction->average_over(0.0, 0.0);
   const std::vector<std::size_t> changing = parts_.conduction->changing_points();
+  holder_ = holders();
+  bool keep_holders = false;
   for (Account& account : accounts_) {
     if (account.boundary < 0) continue;
-    for (const std::int64_t entry : parts_.near_held[static_cast<std::size_t>(account.boundary)]) {
-      account.changes =
-          account.changes || std::binary_search(changing.begin(), changing.end(), static_cast<std::size_t>(entry));
-    }
-    measure(account);
+    measure(account, changing);
+    keep_holders = keep_holders || !account.changing_points.empty();
   }
+  if (!keep_holders) std::vector<std::int16_t>().swap(holder_);
+}
+
+/// Per entry: the boundary that holds it, fictitious entries by what they follow; −1 for none.
+std::vector<std::int16_t> HeatSystem::holders() const {
+  std::vector<std::int16_t> holder(field_size_, -1);
+  for (const GhostRun& run : parts_.ghosts->runs()) {
+    for (std::int64_t k = 0; k < run.length; ++k) {
+      holder[static_cast<std::size_t>(run.target + k)] =
+          run.boundary >= 0 ? run.boundary : holder[static_cast<std::size_t>(run.source + k * run.step)];
+    }
+  }
+  return holder;
 }
 
 /// Weights of the bonds between free points and what the boundary holds.
-void HeatSystem::measure(Account& account) {
+void HeatSystem::measure(Account& account, const std::vector<std::size_t>& changing) {
   const auto& near = parts_.near_held[static_cast<std::size_t>(account.boundary)];
-  account.entries.clear();
-  account.weights.clear();
   if (near.empty()) return;
-  std::unordered_map<std::int64_t, std::int16_t> holder;
-  for (const GhostRun& run : parts_.ghosts->runs()) {
-    for (int k = 0; k < run.length; ++k) {
-      if (run.boundary >= 0) {
-        holder[run.target + k] = run.boundary;
-      } else if (const auto source = holder.find(run.source + k * run.step); source != holder.end()) {
-        holder[run.target + k] = source->second;
+  const auto reach = static_cast<std::int64_t>(parts_.conduction->reach());
+  const std::int64_t origin = std::max<std::int64_t>(0, near.front().entry - reach);
+  const std::int64_t end =
+      std::min(static_cast<std::int64_t>(field_size_), near.back().entry + near.back().length + reach);
+  std::vector<double> weights(static_cast<std::size_t>(end - origin), 0.0);
+  for (const ConductionOperator::Stretch& stretch : near) {
+    std::int64_t begin = stretch.entry;
+    const std::int64_t stretch_end = stretch.entry + stretch.length;
+    for (auto next = std::lower_bound(changing.begin(), changing.end(), static_cast<std::size_t>(begin));
+         next != changing.end() && static_cast<std::int64_t>(*next) < stretch_end; ++next) {
+      const auto entry = static_cast<std::int64_t>(*next);
+      account.changing_points.push_back(entry);
+      if (entry > begin) {
+        parts_.conduction->add_exchange_weights({begin, static_cast<std::int32_t>(entry - begin)}, holder_,
+                                                account.boundary, origin, weights);
       }
+      begin = entry + 1;
+    }
+    if (begin < stretch_end) {
+      parts_.conduction->add_exchange_weights({begin, static_cast<std::int32_t>(stretch_end - begin)}, holder_,
+                                              account.boundary, origin, weights);
     }
   }
-  std::unordered_map<std::int64_t, double> weights;
-  for (const std::int64_t entry : near) {
-    if (holder.count(entry) != 0) continue;
-    double own = 0.0;
+  account.conduction.append(origin, weights);
+  account.conduction.finish();
+  measure_changing(account);
+}
+
+/// The same for the points whose bonds are cut in time.
+void HeatSystem::measure_changing(Account& account) {
+  std::map<std::int64_t, double> weights;
+  for (const std::int64_t entry : account.changing_points) {
+    if (holder_[static_cast<std::size_t>(entry)] >= 0) continue;
     parts_.conduction->visit_bonds(static_cast<std::size_t>(entry), [&](std::size_t j, double conductance) {
-      const auto found = holder.find(static_cast<std::int64_t>(j));
-      if (found == holder.end() || found->second != account.boundary) return;
+      if (holder_[j] != account.boundary) return;
       weights[static_cast<std::int64_t>(j)] += conductance;
-      own += conductance;
+      weights[entry] -= conductance;
     });
-    if (own != 0.0) weights[entry] -= own;
   }
-  for (const auto& [entry, weight] : weights) account.entries.push_back(entry);
-  std::sort(account.entries.begin(), account.entries.end());
-  for (const std::int64_t entry : account.entries) account.weights.push_back(weights[entry]);
+  account.changing = {};
+  for (const auto& [entry, weight] : weights) account.changing.append(entry, {&weight, 1});
+  account.changing.finish();
 }
 
 bool HeatSystem::begin_step(double from, double to) {
   if (!parts_.conduction->average_over(from, to)) return false;
   for (Account& account : accounts_) {
-    if (account.changes) measure(account);
+    if (!account.changing_points.empty()) measure_changing(account);
   }
   return true;
 }
@@ -84,13 +112,31 @@ void HeatSystem::fill(double time, Field temperature) {
   parts_.ghosts->fill(parts_.wall_temperatures.values(), temperature.first(field_size_));
 }
 
+/// Adds a row's rates to the load; returns its heat rate [W].
+double HeatSystem::heat_row(const HeatedRow& row, CompiledProfile& profile, double time) {
+  double* const load = load_.data() + row.entry;
+  if (!profile.depends_on_place()) {
+    const double heat_rate = row.volume * profile(Point{}, time);
+    for (std::int32_t k = 0; k < row.length; ++k) load[k] += heat_rate * row.inverse_capacity;
+    return row.length * heat_rate;
+  }
+  double sum = 0.0;
+  GridIndex p = row.first;
+  for (std::int32_t k = 0; k < row.length; ++k, ++p[0]) {
+    const double heat_rate = row.volume * profile(parts_.grid.position(p), time);
+    load[k] += heat_rate * row.inverse_capacity;
+    sum += heat_rate;
+  }
+  return sum;
+}
+
 void HeatSystem::update_sources(double time) {
   if (load_.empty() || (load_fresh_ && (!sources_change_ || time == load_time_))) return;
   std::fill(load_.begin(), load_.end(), 0.0);
   source_heat_rate_ = 0.0;
   for (const HeatedPart& part : parts_.sources) {
-    constexpr std::size_t chunk = 4096;
-    std::vector<double> sums((part.points.size() + chunk - 1) / chunk, 0.0);
+    constexpr std::size_t chunk = 8;
+    std::vector<double> sums((part.rows.size() + chunk - 1) / chunk, 0.0);
     std::exception_ptr failure;
 #pragma omp parallel
     {
@@ -98,11 +144,8 @@ void HeatSystem::update_sources(double time) {
 #pragma omp for schedule(static)
       for (std::size_t c = 0; c < sums.size(); ++c) {
         try {
-          for (std::size_t n = c * chunk; n < std::min(part.points.size(), (c + 1) * chunk); ++n) {
-            const SourcePoint& point = part.points[n];
-            const double heat_rate = point.volume * profile(point.position, time);
-            load_[static_cast<std::size_t>(point.entry)] += heat_rate * point.inverse_capacity;
-            sums[c] += heat_rate;
+          for (std::size_t n = c * chunk; n < std::min(part.rows.size(), (c + 1) * chunk); ++n) {
+            sums[c] += heat_row(part.rows[n], profile, time);
           }
         } catch (...) {
 #pragma omp critical
@@ -132,10 +175,7 @@ void HeatSystem::add_exchanges(const Load& load, double rate_weight, ConstField 
 
 double HeatSystem::heat_rate(const Account& account, const Load& load, ConstField temperature) const {
   if (account.boundary < 0) return load.source_heat_rate;
-  double sum = 0.0;
-  for (std::size_t k = 0; k < account.entries.size(); ++k) {
-    sum += account.weights[k] * temperature[static_cast<std::size_t>(account.entries[k])];
-  }
+  double sum = account.conduction(temperature) + account.changing(temperature);
   for (std::size_t k = account.first_exchange; k < account.last_exchange; ++k) {
     const SurfaceExchange& exchange = parts_.exchanges[k];
     double difference = load.exchanges[static_cast<std::size_t>(exchange.value)];
@@ -249,10 +289,9 @@ std::vector<double> HeatSystem::account_rates(double time, Field state) {
 std::size_t HeatSystem::bytes() const {
   std::size_t bytes = parts_.conduction->bytes() + parts_.ghosts->bytes() + load_.capacity() * sizeof(double) +
                       parts_.exchanges.capacity() * sizeof(SurfaceExchange);
-  for (const HeatedPart& part : parts_.sources) bytes += part.points.capacity() * sizeof(SourcePoint);
-  for (const Account& account : accounts_)
-    bytes += account.entries.capacity() * (sizeof(std::int64_t) + sizeof(double));
-  return bytes;
+  for (const HeatedPart& part : parts_.sources) bytes += part.rows.capacity() * sizeof(HeatedRow);
+  for (const Account& account : accounts_) bytes += account.conduction.bytes() + account.changing.bytes();
+  return bytes + holder_.capacity() * sizeof(holder_[0]);
 }
 
 }  // namespace peritherm

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "peritherm/operators/ghost_layer.hpp"
+#include "peritherm/system/linear_functional.hpp"
 #include "peritherm/system/prescribed_values.hpp"
 #include "peritherm/system/thermal_system.hpp"
 
@@ -21,17 +22,18 @@ struct SurfaceExchange {
   bool convective = false;
 };
 
-/// A point that is heated from within.
-struct SourcePoint {
-  std::int64_t entry = 0;
-  Point position{};
-  double volume = 0.0;            ///< [m³]
-  double inverse_capacity = 0.0;  ///< [K/J]
+/// Neighbouring points along x that are heated from within.
+struct HeatedRow {
+  GridIndex first;
+  std::int32_t length;
+  std::int64_t entry;       ///< of the first
+  double volume;            ///< of each [m³]
+  double inverse_capacity;  ///< of each [K/J]
 };
 
 struct HeatedPart {
   Profile value;  ///< [W/m³]
-  std::vector<SourcePoint> points;
+  std::vector<HeatedRow> rows;
 };
 
 /// What a heat system is made of.
@@ -41,11 +43,13 @@ struct HeatSystemParts {
   PrescribedValues wall_temperatures;      ///< as the ghost layer numbers them
   std::vector<SurfaceExchange> exchanges;  ///< those of a boundary behind one another
   PrescribedValues exchange_values;
+  Grid grid;  ///< where the heated points stand
   std::vector<HeatedPart> sources;
-  std::vector<std::string> boundary_names;           ///< per boundary index
-  std::vector<std::vector<std::int64_t>> near_held;  ///< per boundary: entries of points that may touch what it holds
-  double spectral_bound = 0.0;                       ///< known bound of the fastest rate of conduction [1/s]; 0: none
-  bool bound_is_sharp = false;                       ///< to a few per mille, so that no estimate would gain anything
+  std::vector<std::string> boundary_names;  ///< per boundary index
+  /// Per boundary: points that may touch what it holds, ascending.
+  std::vector<std::vector<ConductionOperator::Stretch>> near_held;
+  double spectral_bound = 0.0;  ///< known bound of the fastest rate of conduction [1/s]; 0: none
+  bool bound_is_sharp = false;  ///< to a few per mille, so that no estimate would gain anything
 };
 
 /// C dT/dt = conduction + boundaries + sources on any set of points.
@@ -70,6 +74,8 @@ class HeatSystem final : public ThermalSystem {
 
   const ConductionOperator& conduction() const { return *parts_.conduction; }
   double stored_heat(ConstField state) const { return parts_.conduction->stored_heat(state); }
+  /// Of the points that are not held [J/K].
+  double heat_capacity() const { return parts_.conduction->heat_capacity(); }
   /// Names of what heat is accounted for: each boundary, and the sources.
   std::vector<std::string> account_names() const;
   /// Heat that has entered through each since the start [J].
@@ -82,10 +88,10 @@ class HeatSystem final : public ThermalSystem {
   /// Heat rate through one boundary as a linear function of the temperatures, Σ weight · T, plus what its exchanges
   /// bring in.
   struct Account {
-    int boundary = -1;  ///< −1: the sources
-    std::vector<std::int64_t> entries{};
-    std::vector<double> weights{};                      ///< [W/K]
-    bool changes = false;                               ///< some of its bonds are cut in time
+    int boundary = -1;                                  ///< −1: the sources
+    LinearFunctional conduction{};                      ///< through bonds that stay [W/K]
+    LinearFunctional changing{};                        ///< through bonds of points with some that are cut in time
+    std::vector<std::int64_t> changing_points{};        ///< their entries
     std::size_t first_exchange = 0, last_exchange = 0;  ///< its own, [first, last)
   };
   /// What is prescribed at an instant, or one of its derivatives in time.
@@ -107,9 +113,12 @@ class HeatSystem final : public ThermalSystem {
   void fit_piece(const LoadPiece& piece);
   void combine(const Load& load, Field temperature, double rate_weight, Terms terms, Field result,
                Accumulations accumulations);
-  void measure(Account& account);
+  std::vector<std::int16_t> holders() const;
+  void measure(Account& account, const std::vector<std::size_t>& changing);
+  void measure_changing(Account& account);
   double heat_rate(const Account& account, const Load& load, ConstField temperature) const;
   void update_sources(double time);
+  double heat_row(const HeatedRow& row, CompiledProfile& profile, double time);
   void add_exchanges(const Load& load, double rate_weight, ConstField temperature, Field result) const;
 
   HeatSystemParts parts_;
@@ -117,8 +126,9 @@ class HeatSystem final : public ThermalSystem {
   std::vector<Account> accounts_;
   std::vector<StoredLoad> fitted_;  ///< derivatives in time at the begin of a piece
   StoredLoad no_load_;
-  std::vector<double> load_;       ///< rate from sources [K/s]; empty without sources
-  double source_heat_rate_ = 0.0;  ///< [W]
+  std::vector<std::int16_t> holder_;  ///< per entry, kept only where bonds to held entries change in time
+  std::vector<double> load_;          ///< rate from sources [K/s]; empty without sources
+  double source_heat_rate_ = 0.0;     ///< [W]
   double load_time_ = 0.0;
   bool load_fresh_ = false;
   bool sources_change_ = false;

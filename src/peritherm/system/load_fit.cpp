@@ -48,9 +48,16 @@ std::vector<double> HeatSystem::probe_loads(double time) {
   if (!sources_change_) return values;
   for (const HeatedPart& part : parts_.sources) {
     CompiledProfile profile(part.value);
-    const std::size_t stride = part.points.size() / probed + 1;
-    for (std::size_t n = 0; n < part.points.size(); n += stride) {
-      values.push_back(profile(part.points[n].position, time));
+    std::size_t points = 0;
+    for (const HeatedRow& row : part.rows) points += static_cast<std::size_t>(row.length);
+    const auto stride = static_cast<std::int32_t>(points / probed + 1);
+    std::int32_t k = 0;  // counts on from row to row
+    for (const HeatedRow& row : part.rows) {
+      for (; k < row.length; k += stride) {
+        const GridIndex p{row.first[0] + k, row.first[1], row.first[2]};
+        values.push_back(profile(parts_.grid.position(p), time));
+      }
+      k -= row.length;
     }
   }
   return values;

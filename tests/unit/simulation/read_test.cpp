@@ -67,7 +67,7 @@ TEST(Read, one_mistake_gives_one_issue_with_key_line_and_words) {
       {"density = 3\n", "", "materials.fibre.density", 16, "is missing. Needed: density [kg/m^3]"},
       {"horizon =", "horzon =", "nonlocality.horzon", 21, "unknown option. Did you mean 'horizon'?"},
       {"[numerics]", "[numerix]", "numerix", 39, "Did you mean 'numerics'?"},
-      {"backend", "colour", "numerics.colour", 40, "unknown option. Known here: backend, threads"},
+      {"backend", "colour", "numerics.colour", 40, "unknown option. Known here: backend, precision, threads"},
       {"\"linear\"", "\"cubic\"", "nonlocality.kernel.type", 22,
        "unknown type 'cubic'. Choose one of: constant, linear, quadratic, gaussian"},
       {"type = \"linear\", ", "", "nonlocality.kernel.type", 22, "is missing. Choose one of: constant, linear"},

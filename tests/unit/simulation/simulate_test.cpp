@@ -54,6 +54,12 @@ TEST_F(Simulate, a_temperature_that_overflows_ends_the_run_whatever_the_integrat
   }
 }
 
+TEST_F(Simulate, the_resolved_case_names_the_backend_that_ran) {
+  run(unit_body(2, 20, 3.0), settings());
+  EXPECT_NE(read("resolved.toml").find("backend = \"stencil\""), std::string::npos) << read("resolved.toml");
+  EXPECT_NE(read("summary.json").find("per evaluation"), std::string::npos);
+}
+
 TEST_F(Simulate, the_plan_names_the_stable_step_of_the_run) {
   Problem problem = unit_body(2, 20, 3.0);
   problem.materials["light"] = {5.0, 0.1, 1.0};
