@@ -8,16 +8,6 @@
 namespace peritherm::bench {
 namespace {
 
-template <class Numerics>
-constexpr bool chooses_precision = requires(Numerics n) {
-  n.precision = Precision::full;
-};
-
-template <class Numerics>
-void set_precision(Numerics& numerics, Precision precision) {
-  if constexpr (chooses_precision<Numerics>) numerics.precision = precision;
-}
-
 Crack half_width_crack(int dimension) {
   Crack crack;
   if (dimension == 2) crack.points = {{0.25, 0.5}, {0.75, 0.5}};
@@ -39,7 +29,8 @@ Problem make_problem(const BodyKind& kind) {
   problem.nonlocality.partial_volumes = PartialVolumes::whole;
   problem.nonlocality.kernel.form = ConstantKernel{};
   problem.numerics.backend = kind.backend;
-  set_precision(problem.numerics, kind.precision);
+  problem.numerics.threads = 1;
+  problem.numerics.precision = kind.precision;
   problem.time.end = 0.1;
   problem.time.integrator = RungeKuttaLegendre{};
   const Face low = make_face(kind.dimension - 1, false), high = make_face(kind.dimension - 1, true);
@@ -49,15 +40,13 @@ Problem make_problem(const BodyKind& kind) {
   return problem;
 }
 
-bool has_precision() { return chooses_precision<NumericsOptions>; }
-
 std::string text_of(const BodyKind& kind) {
   return fmt::format("{}-D, m = {}, {}^{}", kind.dimension, kind.ratio, kind.cells, kind.dimension);
 }
 
 Evaluation::Evaluation(const BodyKind& kind) : assembly_(assemble(make_problem(kind))) {
   state_ = initial_state(make_problem(kind), assembly_);
-  rate_.resize(system().size());
+  rate_ = FieldStorage(system().size());
   assembly_.layout.for_rows([this](std::size_t entry, std::size_t number, std::size_t length) {
     for (std::size_t x = 0; x < length; ++x) state_[entry + x] = std::sin(0.001 * static_cast<double>(number + x));
   });

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "peritherm/base/field_storage.hpp"
 #include "peritherm/operators/precision.hpp"
 #include "peritherm/simulation/assemble.hpp"
 
@@ -20,9 +20,6 @@ struct BodyKind {
 };
 Problem make_problem(const BodyKind& kind);
 
-/// True if cases can choose the precision of the sums.
-bool has_precision();
-
 /// "2-D, m = 6.5, 1024^2"
 std::string text_of(const BodyKind& kind);
 
@@ -37,8 +34,8 @@ class Evaluation {
 
   const Assembly& assembly() const { return assembly_; }
   HeatSystem& system() { return *assembly_.system; }
-  std::vector<double>& state() { return state_; }
-  const std::vector<double>& rate() const { return rate_; }
+  FieldStorage& state() { return state_; }
+  const FieldStorage& rate() const { return rate_; }
   double points() const { return static_cast<double>(assembly_.geometry.body.grid.size()); }
   double bonds_per_point() const { return static_cast<double>(assembly_.geometry.stencil.entries.size()); }
   /// Of the operator and of one field.
@@ -49,7 +46,7 @@ class Evaluation {
 
  private:
   Assembly assembly_;
-  std::vector<double> state_, rate_;
+  FieldStorage state_, rate_;
 };
 
 }  // namespace peritherm::bench

@@ -25,7 +25,7 @@ BodyKind with_crack(BodyKind kind) {
 class Stages {
  public:
   explicit Stages(Evaluation& evaluation)
-      : evaluation_(evaluation), fields_(5, std::vector<double>(evaluation.state().size(), 0.5)) {}
+      : evaluation_(evaluation), fields_(4, FieldStorage(evaluation.state().size())) {}
 
   void bare() { evaluation_.system().combine(0.0, evaluation_.state(), 1.0, {}, fields_[0]); }
 
@@ -54,7 +54,7 @@ class Stages {
 
  private:
   Evaluation& evaluation_;
-  std::vector<std::vector<double>> fields_;
+  std::vector<FieldStorage> fields_;
 };
 
 void measure_stages_of(const BodyKind& kind, const Settings& settings, Report& report) {
@@ -80,10 +80,10 @@ void measure_stages_of(const BodyKind& kind, const Settings& settings, Report& r
 }
 
 void set_up(const BodyKind& kind) {
-  const Problem problem = make_problem(kind);
-  const Assembly assembly = assemble(problem);
-  const auto state = initial_state(problem, assembly);
-  make_plan(problem, assembly, {problem.time.integrator, {}}, 1);
+  const Prepared prepared = prepare(make_problem(kind));
+  const Assembly assembly = assemble(prepared.problem);
+  const FieldStorage state = initial_state(prepared.problem, assembly);
+  make_plan(prepared, assembly, {prepared.problem.time.integrator, {}});
 }
 
 void measure_setup_of(const BodyKind& kind, const Settings& settings, Report& report) {
@@ -146,10 +146,11 @@ void measure_stages(const Settings& settings, Report& report) {
 
 void measure_setup(const Settings& settings, Report& report) {
   omp_set_num_threads(1);
-  report.begin("setup",
-               "everything before the march: assemble, initial_state, make_plan, and giving the memory back; one "
-               "thread, its processor time",
-               {{"body"}, {"crack"}, {"set-up", "ns per point"}, {"evaluation", "ns per point"}, {"ratio"}});
+  report.begin(
+      "setup",
+      "everything before the march: prepare, assemble, initial_state, make_plan, and giving the memory back; one "
+      "thread, its processor time",
+      {{"body"}, {"crack"}, {"set-up", "ns per point"}, {"evaluation", "ns per point"}, {"ratio"}});
   for (const BodyKind& kind : {plate(settings), cube(settings, 3.0)}) {
     measure_setup_of(kind, settings, report);
     measure_setup_of(with_crack(kind), settings, report);

@@ -36,7 +36,7 @@ BodyKind cracked_plate(const Settings& settings) { return {2, settings.quick ? 1
 Answer march(const BodyKind& kind, const TimeStepping& stepping) {
   const Problem problem = make_problem(kind);
   const Assembly assembly = assemble(problem);
-  std::vector<double> state = initial_state(problem, assembly);
+  FieldStorage state = initial_state(problem, assembly);
   Answer answer;
   const double start = seconds(Clock::thread);
   const auto integrator = make_integrator(stepping, *assembly.system);
