@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "peritherm/operators/stencil_program.hpp"
+#include "peritherm/operators/kernels.hpp"
 #include "support/run_problem.hpp"
 #include "support/tolerance.hpp"
 
