@@ -8,7 +8,7 @@ namespace peritherm {
 namespace {
 
 constexpr Slab slab{1.0, 1.0};
-constexpr double end = 0.1;
+constexpr double decay_end = 0.1;
 
 struct Choice {
   int dimension;
@@ -36,10 +36,10 @@ std::vector<double> errors_of_held_box(const Choice& choice) {
     problem.initial.temperature = 1.0;
     set_all_faces(problem, held_at(0.0));
     March run(problem);
-    run.advance_to(end);
+    run.advance_to(decay_end);
     errors.push_back(run.relative_error([&](const Point& x) {
       double product = 1.0;
-      for (int axis = 0; axis < choice.dimension; ++axis) product *= slab_with_held_ends(slab, x[axis], end);
+      for (int axis = 0; axis < choice.dimension; ++axis) product *= slab_with_held_ends(slab, x[axis], decay_end);
       return product;
     }));
   }
@@ -53,8 +53,9 @@ std::vector<double> errors_of_half_held_bar(const Choice& choice) {
     problem.initial.temperature = 1.0;
     set_face(problem, Face::x_min, held_at(0.0));
     March run(problem);
-    run.advance_to(end);
-    errors.push_back(run.relative_error([](const Point& x) { return slab_held_and_insulated(slab, x[0], end); }));
+    run.advance_to(decay_end);
+    errors.push_back(
+        run.relative_error([](const Point& x) { return slab_held_and_insulated(slab, x[0], decay_end); }));
   }
   return errors;
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "peritherm/base/error.hpp"
+#include "support/differences.hpp"
 #include "support/order_of_convergence.hpp"
 #include "support/run_problem.hpp"
 #include "support/tolerance.hpp"
@@ -26,7 +27,7 @@ Problem changing_body(int dimension) {
   return problem;
 }
 
-constexpr double end = 0.2;
+constexpr double end_of_run = 0.2;
 
 template <class Options>
 Options with_tolerance(double tolerance) {
@@ -38,19 +39,8 @@ Options with_tolerance(double tolerance) {
 std::vector<double> reference(Problem problem) {
   problem.time.integrator = RungeKutta4{std::nullopt, 0.5};
   March run(std::move(problem));
-  run.advance_to(end);
+  run.advance_to(end_of_run);
   return run.temperatures();
-}
-
-double rms_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t n = 0; n < a.size(); ++n) sum += (a[n] - b[n]) * (a[n] - b[n]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
-double span_of(const std::vector<double>& values) {
-  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  return *highest - *lowest;
 }
 
 /// Both implicit integrators; skipped in builds without SUNDIALS.
@@ -82,7 +72,7 @@ TYPED_TEST(Implicit, errors_per_step_add_up_at_most_and_shrink_with_the_toleranc
         Problem problem = changing_body(dimension);
         problem.time.integrator = options;
         March run(std::move(problem));
-        run.advance_to(end);
+        run.advance_to(end_of_run);
         tolerances.push_back(tolerance);
         errors.push_back(rms_difference(run.temperatures(), expected));
         // The span grows along the way; that at the end stands for it.
@@ -102,7 +92,7 @@ TYPED_TEST(Implicit, every_order_keeps_the_tolerance) {
     Problem problem = changing_body(1);
     problem.time.integrator = options;
     March run(std::move(problem));
-    run.advance_to(end);
+    run.advance_to(end_of_run);
     const double allowed = 1e-5 * static_cast<double>(run.count().accepted) * span_of(expected);
     EXPECT_LT(rms_difference(run.temperatures(), expected), allowed) << order;
   }
@@ -112,8 +102,8 @@ TYPED_TEST(Implicit, output_times_do_not_disturb) {
   Problem problem = changing_body(2);
   problem.time.integrator = with_tolerance<TypeParam>(1e-6);
   March once(problem), often(problem);
-  once.advance_to(end);
-  for (int k = 1; k <= 10; ++k) often.advance_to(end * k / 10);
+  once.advance_to(end_of_run);
+  for (int k = 1; k <= 10; ++k) often.advance_to(end_of_run * k / 10);
   const double steps = static_cast<double>(once.count().accepted + often.count().accepted);
   EXPECT_LT(rms_difference(once.temperatures(), often.temperatures()), 1e-6 * steps * span_of(once.temperatures()));
 }
@@ -125,7 +115,7 @@ TYPED_TEST(Implicit, heat_balances_to_the_tolerance) {
   std::vector<double> state = initial_state(problem, assembly);
   const double before = assembly.system->stored_heat(state);
   const auto integrator = make_integrator(problem.time.integrator, *assembly.system);
-  integrator->advance(0.0, end, state, [](double, ConstField) { return true; });
+  integrator->advance(0.0, end_of_run, state, [](double, ConstField) { return true; });
   double heats = 0.0;
   for (const double heat : assembly.system->account_heats(state)) heats += heat;
   const std::vector<double> ones(state.size(), 1.0);

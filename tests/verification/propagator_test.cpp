@@ -2,6 +2,7 @@
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/system/spectral_estimate.hpp"
+#include "support/differences.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {
@@ -28,12 +29,6 @@ std::vector<double> temperatures_at(Problem problem, const TimeStepping& steppin
   March run(std::move(problem));
   run.advance_to(end);
   return run.temperatures();
-}
-
-double rms_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t n = 0; n < a.size(); ++n) sum += (a[n] - b[n]) * (a[n] - b[n]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
 /// Temperatures of the plates here span about 3.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "peritherm/base/error.hpp"
+#include "support/differences.hpp"
 #include "support/run_problem.hpp"
 #include "support/tolerance.hpp"
 
@@ -20,11 +21,6 @@ Problem busy_plate() {
   problem.cracks.emplace_back().points = {{0.5, 0.2}, {0.8, 0.5}};
   problem.time.integrator = SteadyState{};
   return problem;
-}
-
-double span_of(const std::vector<double>& values) {
-  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  return *highest - *lowest;
 }
 
 double largest(const std::vector<double>& values) {

@@ -1,16 +1,11 @@
 #include <gtest/gtest.h>
 
+#include "support/differences.hpp"
 #include "support/order_of_convergence.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {
 namespace {
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t n = 0; n < a.size(); ++n) largest = std::max(largest, std::abs(a[n] - b[n]));
-  return largest;
-}
 
 /// Everything that may change in time does: held ends, flux, surroundings, sources.
 Problem changing_plate() {
