@@ -54,8 +54,7 @@ std::vector<double> errors_of_half_held_bar(const Choice& choice) {
     set_face(problem, Face::x_min, held_at(0.0));
     March run(problem);
     run.advance_to(decay_end);
-    errors.push_back(
-        run.relative_error([](const Point& x) { return slab_held_and_insulated(slab, x[0], decay_end); }));
+    errors.push_back(run.relative_error([](const Point& x) { return slab_held_and_insulated(slab, x[0], decay_end); }));
   }
   return errors;
 }

@@ -129,6 +129,7 @@ class Underestimated final : public ThermalSystem {
   double heat_product(ConstField a, ConstField b) const override { return system_.heat_product(a, b); }
   double rms(Terms terms) const override { return system_.rms(terms); }
   Extremes extremes(ConstField temperature) const override { return system_.extremes(temperature); }
+  double rate_rounding() const override { return system_.rate_rounding(); }
   double fastest_rate() override { return system_.fastest_rate() / 3.0; }
 
  private:
@@ -161,6 +162,12 @@ TEST(Propagator, is_chosen_for_bodies_that_stay_and_refused_for_others) {
   ASSERT_TRUE(std::holds_alternative<RungeKuttaLegendre>(chosen.stepping));
   EXPECT_EQ(std::get<RungeKuttaLegendre>(chosen.stepping).relative_tolerance, 1e-7);
   EXPECT_THROW(choose_stepping(Chebyshev{}, *growing.system, 0.0, times), Error);
+  problem.cracks.clear();
+  problem.numerics.precision = Precision::single;
+  const Assembly coarse = assemble(problem);
+  EXPECT_TRUE(std::holds_alternative<RungeKuttaLegendre>(
+      choose_stepping(AutomaticStepping{}, *coarse.system, 0.0, times).stepping));
+  EXPECT_THROW(choose_stepping(Chebyshev{}, *coarse.system, 0.0, times), Error);
 }
 
 TEST(SpectralEstimate, lies_above_the_fastest_rate_and_close_to_it) {

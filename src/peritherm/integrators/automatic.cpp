@@ -82,7 +82,13 @@ double evaluations_by_pieces(const Chebyshev& options, ThermalSystem& system, do
   return sum;
 }
 
-void refuse_changes(ThermalSystem& system, double from, double end) {
+constexpr double propagator_rounding = 1e-12;  ///< of rates, beyond which its sums lose the answer
+
+void refuse_chebyshev(ThermalSystem& system, double from, double end) {
+  if (system.rate_rounding() > propagator_rounding) {
+    throw Error("time.integrator: chebyshev adds up terms that cancel, and needs numerics.precision = \"double\"",
+                "Choose \"rkl2\", or double precision");
+  }
   if (system.fit_loads(from, end, 0, 1.0)) return;
   throw Error(
       "time.integrator: chebyshev needs a body that does not change in time, and cracks cut bonds before time.end",
@@ -105,7 +111,7 @@ double estimate_evaluations(const TimeStepping& options, double fastest_rate, st
 
 ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& system, double from,
                                std::span<const double> times) {
-  if (std::holds_alternative<Chebyshev>(options) && !times.empty()) refuse_changes(system, from, times.back());
+  if (std::holds_alternative<Chebyshev>(options) && !times.empty()) refuse_chebyshev(system, from, times.back());
   const auto* automatic = std::get_if<AutomaticStepping>(&options);
   if (automatic == nullptr) return {options, ""};
   Chebyshev propagator;
@@ -113,6 +119,9 @@ ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& syste
   propagator.relative_tolerance = automatic->relative_tolerance.value_or(propagator.relative_tolerance);
   stabilised.relative_tolerance = automatic->relative_tolerance.value_or(stabilised.relative_tolerance);
   if (times.empty()) return {propagator, "nothing to march through"};
+  if (system.rate_rounding() > propagator_rounding) {
+    return {stabilised, "chebyshev would add up what single precision rounds"};
+  }
   std::vector<double> lengths(times.begin(), times.end());
   for (double& length : lengths) length -= from;
   const double other = evaluations_of(stabilised, system.fastest_rate(), lengths, system.size());

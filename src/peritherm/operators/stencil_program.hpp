@@ -28,7 +28,7 @@ struct StencilProgram {
   std::vector<int> plane_radius;  ///< largest offset along x and y in each plane
   std::vector<Column> columns;
   std::vector<double> weights;
-  std::vector<float> single_weights;  ///< the same, rounded
+  std::vector<float> single_weights;  ///< the same, rounded so that they sum to 0
 
   int multiplications() const { return static_cast<int>(weights.size()); }  ///< per output
   std::size_t bytes() const {

@@ -305,6 +305,9 @@ Assembly assemble(const Problem& problem) {
   parts.sources = make_sources(problem, geometry, layout);
   parts.boundary_names = geometry.boundary_names;
   parts.spectral_bound = spectral_bound(geometry);
+  // Bonds in single precision are still summed in double.
+  const bool coarse = problem.numerics.precision == Precision::single && backend != BackendName::bond;
+  parts.rate_rounding = coarse ? 0x1p-24 : 0x1p-53;
   parts.bound_is_sharp = parts.spectral_bound > 0.0 && geometry.body.regions.empty();
   parts.conduction = backend == BackendName::bond
                          ? make_bond_backend(geometry, layout, problem.numerics.precision)

@@ -49,6 +49,7 @@ struct HeatSystemParts {
   /// Per boundary: points that may touch what it holds, ascending.
   std::vector<std::vector<ConductionOperator::Stretch>> near_held;
   double spectral_bound = 0.0;  ///< known bound of the fastest rate of conduction [1/s]; 0: none
+  double rate_rounding = 0x1p-53;
   bool bound_is_sharp = false;  ///< to a few per mille, so that no estimate would gain anything
 };
 
@@ -67,6 +68,7 @@ class HeatSystem final : public ThermalSystem {
   std::size_t field_size() const override { return field_size_; }
   double rms(Terms terms) const override;
   Extremes extremes(ConstField temperature) const override;
+  double rate_rounding() const override { return parts_.rate_rounding; }
   double fastest_rate() override;
 
   /// Sets held and fictitious entries to their values at a time.

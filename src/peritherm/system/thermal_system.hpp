@@ -49,6 +49,9 @@ class ThermalSystem {
   using Extremes = ConductionOperator::Extremes;
   virtual Extremes extremes(ConstField temperature) const = 0;
 
+  /// Rounding of a rate over the largest rates [1].
+  virtual double rate_rounding() const = 0;
+
   /// Upper bound of the fastest decay rate [1/s]; sets explicit steps and stage counts.
   virtual double fastest_rate() = 0;
 };
