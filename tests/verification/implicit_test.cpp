@@ -112,7 +112,7 @@ TYPED_TEST(Implicit, heat_balances_to_the_tolerance) {
   Problem problem = changing_body(2);
   problem.time.integrator = with_tolerance<TypeParam>(1e-7);
   const Assembly assembly = assemble(problem);
-  std::vector<double> state = initial_state(problem, assembly);
+  auto state = initial_state(problem, assembly);
   const double before = assembly.system->stored_heat(state);
   const auto integrator = make_integrator(problem.time.integrator, *assembly.system);
   integrator->advance(0.0, end_of_run, state, [](double, ConstField) { return true; });
@@ -159,7 +159,7 @@ TYPED_TEST(Implicit, growing_cracks_are_refused) {
   EXPECT_EQ(issues[0].where.key, "crack.0.tip_speed");
   EXPECT_NE(issues[0].hint.find("rkl2"), std::string::npos);
   const Assembly assembly = assemble(problem);
-  std::vector<double> state = initial_state(problem, assembly);
+  auto state = initial_state(problem, assembly);
   const auto integrator = make_integrator(problem.time.integrator, *assembly.system);
   EXPECT_THROW(integrator->advance(0.0, 1.0, state, [](double, ConstField) { return true; }), Error);
 }
