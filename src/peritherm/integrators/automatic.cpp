@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "peritherm/base/error.hpp"
@@ -82,13 +84,16 @@ double evaluations_by_pieces(const Chebyshev& options, ThermalSystem& system, do
   return sum;
 }
 
-constexpr double propagator_rounding = 1e-12;  ///< of rates, beyond which its sums lose the answer
+constexpr double propagator_rounding = 1e-12;  ///< of rates, beyond which sums that cancel lose the answer
 
-void refuse_chebyshev(ThermalSystem& system, double from, double end) {
-  if (system.rate_rounding() > propagator_rounding) {
-    throw Error("time.integrator: chebyshev adds up terms that cancel, and needs numerics.precision = \"double\"",
-                "Choose \"rkl2\", or double precision");
-  }
+void refuse_rounding(std::string_view method, ThermalSystem& system) {
+  if (system.rate_rounding() <= propagator_rounding) return;
+  throw Error("time.integrator: " + std::string(method) +
+                  " adds up terms that cancel, and needs numerics.precision = \"double\"",
+              "Choose \"rkl2\", or double precision");
+}
+
+void refuse_changes(ThermalSystem& system, double from, double end) {
   if (system.fit_loads(from, end, 0, 1.0)) return;
   throw Error(
       "time.integrator: chebyshev needs a body that does not change in time, and cracks cut bonds before time.end",
@@ -111,7 +116,11 @@ double estimate_evaluations(const TimeStepping& options, double fastest_rate, st
 
 ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& system, double from,
                                std::span<const double> times) {
-  if (std::holds_alternative<Chebyshev>(options) && !times.empty()) refuse_chebyshev(system, from, times.back());
+  if (std::holds_alternative<SteadyState>(options)) refuse_rounding(SteadyState::name, system);
+  if (std::holds_alternative<Chebyshev>(options)) {
+    refuse_rounding(Chebyshev::name, system);
+    if (!times.empty()) refuse_changes(system, from, times.back());
+  }
   const auto* automatic = std::get_if<AutomaticStepping>(&options);
   if (automatic == nullptr) return {options, ""};
   Chebyshev propagator;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -173,6 +175,56 @@ TEST(DirectSum, gives_the_same_bits_for_any_number_of_threads) {
     }
   }
   omp_set_num_threads(threads_before);
+}
+
+/// Room for a field that touches an inaccessible page at its begin or at its end: who reads beyond it is ended.
+class GuardedField {
+ public:
+  GuardedField(const std::vector<double>& values, bool at_end)
+      : page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
+    const std::size_t bytes = values.size() * sizeof(double);
+    room_ = (bytes + page_ - 1) / page_ * page_;
+    start_ = static_cast<char*>(
+        mmap(nullptr, room_ + 2 * page_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+    EXPECT_EQ(mprotect(start_, page_, PROT_NONE), 0);
+    EXPECT_EQ(mprotect(start_ + page_ + room_, page_, PROT_NONE), 0);
+    auto* const first = reinterpret_cast<double*>(start_ + page_ + (at_end ? room_ - bytes : 0));
+    std::copy(values.begin(), values.end(), first);
+    field_ = {first, values.size()};
+  }
+  GuardedField(const GuardedField&) = delete;
+  GuardedField& operator=(const GuardedField&) = delete;
+  ~GuardedField() { munmap(start_, room_ + 2 * page_); }
+
+  ConstField field() const { return field_; }
+
+ private:
+  std::size_t page_, room_ = 0;
+  char* start_ = nullptr;
+  ConstField field_;
+};
+
+TEST(DirectSum, reads_nothing_beyond_a_field) {
+  for (const DirectSumCase& chosen : direct_sum_cases()) {
+    const SumOfStencil sum(chosen);
+    const std::vector<double> values = sum.random_field(-1.0, 1.0);
+    for (const bool at_end : {false, true}) {
+      const GuardedField guarded(values, at_end);
+      for (std::size_t kernel = 0; kernel < available_kernels().size(); ++kernel) {
+        for (const Precision precision : {Precision::full, Precision::single}) {
+          double total = 0.0;
+          make_direct_sum(sum.layout(), sum.stencil(), kernel, precision)
+              ->sum(guarded.field(), [&](const double* sums, const GridIndex&, int width) {
+                double part = 0.0;
+                for (int x = 0; x < width; ++x) part += sums[x];
+#pragma omp atomic
+                total += part;
+              });
+          EXPECT_TRUE(std::isfinite(total));
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
