@@ -109,6 +109,66 @@ TEST(Propagator, shares_one_recurrence_among_output_times) {
   EXPECT_EQ(integrator->count().evaluations, last.count().evaluations);
 }
 
+TEST(Propagator, finds_a_pulse_between_the_outputs) {
+  Problem problem = unit_body(2, 8, 2.0);
+  problem.sources.push_back({Profile("t > 0.4 && t < 0.45 ? 100 : 0"), std::nullopt});
+  problem.time.integrator = Chebyshev{1e-6};
+  March run(problem);
+  run.advance_to(1.0);
+  // 100 W/m³ for 0.05 s; each jump is passed within 1e-12 of the time.
+  EXPECT_NEAR(run.stored_heat(), 5.0, 5.0 * 1e-6);
+}
+
+TEST(Propagator, follows_a_spot_that_moves_between_probed_points) {
+  Problem problem = unit_body(2, 40, 2.0);
+  problem.sources.push_back({Profile("sqrt((x - 0.2 - t)^2 + (y - 0.5)^2) < 0.06 ? 100 : 0"), std::nullopt});
+  problem.time.integrator = RungeKuttaLegendre{1e-6};
+  March reference(problem);
+  reference.advance_to(0.3);
+  problem.time.integrator = AutomaticStepping{};
+  March run(problem);
+  run.advance_to(0.3);
+  EXPECT_NEAR(run.stored_heat(), reference.stored_heat(), 0.01 * reference.stored_heat());
+  EXPECT_LE(rms_difference(run.temperatures(), reference.temperatures()), 0.01 * span_of(reference.temperatures()));
+}
+
+TEST(Propagator, is_right_at_times_far_below_the_fastest_decay) {
+  Problem problem = standing_plate();
+  problem.time.integrator = Chebyshev{1e-10};
+  const Assembly assembly = assemble(problem);
+  std::vector<double> start = initial_state(problem, assembly), state = start, rate(start.size());
+  assembly.system->combine(0.0, start, 1.0, {}, rate);
+  const double times[] = {1e-12, 1e-9, 0.01};
+  std::size_t seen = 0;
+  const MarchFollower follower{[](double, ConstField) { return true; },
+                               [&](double time, Field temperature) {
+                                 // So early, heats are rates times time; the decays of 1e4/s change rates by 1e-5.
+                                 for (std::size_t n = assembly.system->field_size(); n < state.size() && seen < 2;
+                                      ++n) {
+                                   EXPECT_NEAR(temperature[n], time * rate[n], 1e-4 * std::abs(time * rate[n]));
+                                 }
+                                 ++seen;
+                                 return true;
+                               },
+                               [](double) { return true; }};
+  make_integrator(problem.time.integrator, *assembly.system)->march(0.0, times, state, follower);
+  EXPECT_EQ(seen, 3u);
+}
+
+TEST(Propagator, leaves_the_state_where_it_is_stopped_within_a_stretch) {
+  const Problem problem = standing_plate();
+  const Assembly assembly = assemble(problem);
+  const std::vector<double> start = initial_state(problem, assembly);
+  std::vector<double> state = start;
+  const auto integrator = make_integrator(Chebyshev{1e-9}, *assembly.system);
+  const double times[] = {0.05};
+  const MarchFollower follower{[](double, ConstField) { return true; }, [](double, Field) { return true; },
+                               [](double) { return false; }};
+  EXPECT_EQ(integrator->march(0.0, times, state, follower), 0.0);
+  EXPECT_GT(integrator->count().evaluations, 0);
+  for (std::size_t n = 0; n < assembly.system->field_size(); ++n) EXPECT_EQ(state[n], start[n]);
+}
+
 /// Claims that all decays are three times slower than they are.
 class Underestimated final : public ThermalSystem {
  public:
@@ -168,6 +228,7 @@ TEST(Propagator, is_chosen_for_bodies_that_stay_and_refused_for_others) {
   EXPECT_TRUE(std::holds_alternative<RungeKuttaLegendre>(
       choose_stepping(AutomaticStepping{}, *coarse.system, 0.0, times).stepping));
   EXPECT_THROW(choose_stepping(Chebyshev{}, *coarse.system, 0.0, times), Error);
+  EXPECT_THROW(choose_stepping(SteadyState{}, *coarse.system, 0.0, times), Error);
 }
 
 TEST(SpectralEstimate, lies_above_the_fastest_rate_and_close_to_it) {

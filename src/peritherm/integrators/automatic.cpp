@@ -72,11 +72,15 @@ double evaluations_of(const Options& options, double rate, std::span<const doubl
 double evaluations_by_pieces(const Chebyshev& options, ThermalSystem& system, double from,
                              std::span<const double> times, double most) {
   const double rate = system.fastest_rate();
+  constexpr int most_pieces = 32;  // looked at; the rest is taken to be as rough
+  const double end = times.back();
   double sum = 0.0, begin = from;
-  while (!times.empty() && sum <= most) {
+  for (int pieces = 0; !times.empty() && sum <= most;) {
+    if (pieces > most_pieces) return sum * (end - from) / (begin - from);
     const double last = times[std::min(times.size(), times_at_once(system.size())) - 1];
-    const auto piece = system.fit_loads(begin, last, propagator_load_degree, options.relative_tolerance);
+    const auto piece = system.fit_loads(begin, last, propagator_load_degree, load_share * options.relative_tolerance);
     if (!piece) return std::numeric_limits<double>::infinity();
+    if (piece->end < last) ++pieces;
     sum += terms_of(options, rate, piece->end - piece->begin) * (piece->degree + 1);
     begin = piece->end;
     while (!times.empty() && times.front() <= begin) times = times.subspan(1);
@@ -91,6 +95,13 @@ void refuse_rounding(std::string_view method, ThermalSystem& system) {
   throw Error("time.integrator: " + std::string(method) +
                   " adds up terms that cancel, and needs numerics.precision = \"double\"",
               "Choose \"rkl2\", or double precision");
+}
+
+void refuse_fine_tolerance(const ImplicitOptions& options, ThermalSystem& system) {
+  constexpr double finest = 1e-5;  // below it, steps would follow the rounding of single precision
+  if (system.rate_rounding() <= propagator_rounding || options.relative_tolerance >= finest) return;
+  throw Error("time.integrator.relative_tolerance: single precision resolves no errors below 1e-5",
+              "Choose 1e-5 or more, or double precision");
 }
 
 void refuse_changes(ThermalSystem& system, double from, double end) {
@@ -117,6 +128,8 @@ double estimate_evaluations(const TimeStepping& options, double fastest_rate, st
 ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& system, double from,
                                std::span<const double> times) {
   if (std::holds_alternative<SteadyState>(options)) refuse_rounding(SteadyState::name, system);
+  if (const auto* implicit = std::get_if<BackwardDifferences>(&options)) refuse_fine_tolerance(*implicit, system);
+  if (const auto* implicit = std::get_if<ImplicitRungeKutta>(&options)) refuse_fine_tolerance(*implicit, system);
   if (std::holds_alternative<Chebyshev>(options)) {
     refuse_rounding(Chebyshev::name, system);
     if (!times.empty()) refuse_changes(system, from, times.back());

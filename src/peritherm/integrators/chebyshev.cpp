@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/base/field_storage.hpp"
 #include "peritherm/integrators/chebyshev_coefficients.hpp"
 #include "peritherm/integrators/integrator.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::size_t terms_between_looks = 16;  ///< at the size of the recurrence
 /// |T_k| <= 1 where the fastest rate is not underestimated; rounding stays far below the rest.
-constexpr double most_growth = 1.5;
+constexpr double most_growth = 1.01;
 constexpr int most_raises = 40;
 
 /// T(t) = T0 + t φ1(tA) (A T0 + b0) + Σ t^(k+1) φ_{k+1}(tA) b_k for dT/dt = A T + Σ b_k t^k / k!, each φ expanded in
@@ -40,7 +41,7 @@ class Propagator final : public TimeIntegrator {
     while (!times.empty()) {
       const double last = times[std::min(times.size(), times_at_once(system_.size())) - 1];
       system_.begin_step(time, last);
-      const auto piece = system_.fit_loads(time, last, propagator_load_degree, tolerance_);
+      const auto piece = system_.fit_loads(time, last, propagator_load_degree, load_share * tolerance_);
       if (!piece) refuse(time, last);
       const double begin = time;
       if (!move(*piece, times, temperature, time)) break;
@@ -82,7 +83,7 @@ class Propagator final : public TimeIntegrator {
   /// Hands out what the window yields: every target that was asked for, and its end.
   bool deliver(const std::vector<double>& targets, std::span<const double> times, Field temperature, double& time) {
     for (std::size_t n = 0; n < targets.size(); ++n) {
-      std::copy(results_[n].begin(), results_[n].end(), temperature.begin());
+      copy(results_[n], temperature);
       time = targets[n];
       if (!follower_.after_step(time, temperature)) return false;
       const bool asked = std::find(times.begin(), times.end(), time) != times.end();
@@ -93,8 +94,10 @@ class Propagator final : public TimeIntegrator {
 
   /// first_ = A T0 + b0, and the scale of temperatures that errors are measured by.
   void start(const ThermalSystem::LoadPiece& piece, Field temperature) {
-    first_.resize(system_.size());
-    second_.resize(system_.size());
+    if (first_.empty()) {
+      first_ = FieldStorage(system_.size());
+      second_ = FieldStorage(system_.size());
+    }
     system_.combine_linear(0, temperature, 1.0, {}, first_);
     ++count_.evaluations;
     const auto [lowest, highest] = system_.extremes(temperature);
@@ -120,12 +123,15 @@ class Propagator final : public TimeIntegrator {
   /// results_[n] = T(targets[n]); false if the recurrence grows, or if the follower stops it.
   bool propagate(const ThermalSystem::LoadPiece& piece, const std::vector<double>& targets, Field temperature) {
     results_.resize(std::max(results_.size(), targets.size()));
-    for (std::size_t n = 0; n < targets.size(); ++n) results_[n].assign(temperature.begin(), temperature.end());
+    for (std::size_t n = 0; n < targets.size(); ++n) {
+      if (results_[n].empty()) results_[n] = FieldStorage(temperature.size());
+      copy(temperature, results_[n]);
+    }
     const double length = targets.back() - piece.begin;
     const double rate = std::max(rate_, 1.0 / length);
     std::vector<std::vector<std::vector<double>>> coefficients;
     for (const double target : targets) {
-      const double step = std::max(target - piece.begin, 1e-3 / rate);
+      const double step = std::max(target - piece.begin, 1e-30 / rate);
       coefficients.push_back(propagator_coefficients(rate, step, piece.degree));
     }
     for (int k = 0; k <= piece.degree; ++k) {
@@ -174,7 +180,7 @@ class Propagator final : public TimeIntegrator {
       const Term next[] = {{2.0, current.data()}, {-1.0, previous.data()}};
       evaluate(current, 4.0 / rate, next, previous, sums);
       std::swap(previous, current);
-      if (k % terms_between_looks != 0) continue;
+      if (k % terms_between_looks != 0 && k + 2 < terms) continue;
       // A value that is not finite passes no comparison.
       if (!(system_.heat_product(current, current) <= most)) return false;
       stopped_ = !follower_.within_step(stretch.begin + stretch.length * static_cast<double>(k) / terms);
@@ -190,6 +196,12 @@ class Propagator final : public TimeIntegrator {
   static double weight(const std::vector<double>& coefficients, std::size_t k) {
     if (k >= coefficients.size()) return 0.0;
     return k == 0 ? 0.5 * coefficients[0] : coefficients[k];
+  }
+
+  static void copy(ConstField from, Field to) {
+    const auto size = static_cast<std::ptrdiff_t>(from.size());
+#pragma omp parallel for simd schedule(static)
+    for (std::ptrdiff_t i = 0; i < size; ++i) to[i] = from[i];
   }
 
   static void add(double weight, ConstField values, Field result) {
@@ -220,8 +232,8 @@ class Propagator final : public TimeIntegrator {
   double highest_ = -std::numeric_limits<double>::infinity();
   double slope_ = 0.0, scale_ = 1.0;
   StepCount count_;
-  std::vector<double> first_, second_;
-  std::vector<std::vector<double>> results_;
+  FieldStorage first_, second_;
+  std::vector<FieldStorage> results_;
 };
 
 }  // namespace

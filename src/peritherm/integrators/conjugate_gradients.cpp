@@ -12,6 +12,8 @@ constexpr std::size_t iterations_per_look = 50;
 /// The slowest rate over the loss rates is above the inverse of this, unless the direction holds nothing but rounding.
 constexpr double longest = 1e12;
 
+constexpr double level_rounding = 1e-12;  ///< of the rate of a level that nothing holds
+
 /// Are all eigenvalues above x? They are if no pivot of the factorisation is negative.
 bool all_above(double x, const std::vector<double>& lengths, const std::vector<double>& shares) {
   double pivot = 1.0 / lengths[0] - x;
@@ -69,6 +71,15 @@ void ConjugateGradients::turn(double share) {
   for (std::ptrdiff_t n = 0; n < count; ++n) direction_[n] = image_[n] + share * direction_[n];
 }
 
+/// How fast the level of all temperatures decays, over the loss rates: the slowest of all where bodies are weakly held.
+/// 0 if nothing holds it.
+double ConjugateGradients::rate_of_level() {
+  std::fill(direction_.begin(), direction_.end(), 1.0);
+  system_.combine_linear(-1, direction_, -1.0, {}, image_);
+  const double rate = system_.heat_product(direction_, image_) / weight_;
+  return rate > level_rounding ? rate : 0.0;
+}
+
 /// ‖e‖ <= ‖residual‖ / slowest rate, in the norm of C · loss rate, divided by the weight.
 double ConjugateGradients::error_of(double square) const {
   if (square == 0.0) return 0.0;
@@ -82,6 +93,7 @@ double ConjugateGradients::error(ConstField residual) {
 
 ConjugateGradients::End ConjugateGradients::improve(Field temperature, Field residual, long most_iterations,
                                                     const Goal& goal, const AfterIteration& after_iteration) {
+  if (slowest_ == 0.0) slowest_ = rate_of_level();
   precondition(residual);
   std::fill(direction_.begin(), direction_.end(), 0.0);
   turn(0.0);
@@ -102,7 +114,8 @@ ConjugateGradients::End ConjugateGradients::improve(Field temperature, Field res
     if (lengths_.size() >= next_look || square == 0.0) {
       const double ritz = smallest_ritz_value(lengths_, shares_);
       slowest_ = slowest_ > 0.0 ? std::min(slowest_, ritz) : ritz;
-      if (error_of(square) <= goal(temperature)) return End::converged;
+      // The smallest Ritz value lies above the slowest rate: half the goal leaves room for that.
+      if (error_of(square) <= 0.5 * goal(temperature)) return End::converged;
       next_look = lengths_.size() + 1 + lengths_.size() / iterations_per_look;
     }
     shares_.push_back(square / before);

@@ -36,6 +36,7 @@ class ConjugateGradients {
   void step(double length, Field temperature, Field residual);
   void turn(double share);
   double error_of(double square) const;
+  double rate_of_level();
 
   ThermalSystem& system_;
   std::vector<double> inverse_;  ///< of the loss rates [s]

@@ -137,11 +137,12 @@ struct SteadyState {
   static constexpr std::string_view name = "steady";
   static constexpr std::string_view help = "the steady state, by conjugate gradients; written once, at the end";
   static constexpr auto options() {
-    return std::tuple{optional("relative_tolerance", &SteadyState::relative_tolerance, "",
-                               Check{[](double v) { return v >= 1e-14 && v <= 0.1; }, "must lie between 1e-14 and 0.1"},
-                               "estimated error (rms), relative to the span of temperatures"),
-                      optional("most_iterations", &SteadyState::most_iterations, "", positive,
-                               "number of iterations after which the search is given up")};
+    return std::tuple{
+        optional("relative_tolerance", &SteadyState::relative_tolerance, "",
+                 Check{[](double v) { return v >= 1e-14 && v <= 1e-5; }, "must lie between 1e-14 and 1e-5"},
+                 "estimated error (rms), relative to the span of temperatures"),
+        optional("most_iterations", &SteadyState::most_iterations, "", positive,
+                 "number of iterations after which the search is given up")};
   }
   bool operator==(const SteadyState&) const = default;
 };
@@ -228,6 +229,8 @@ ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& syste
                                std::span<const double> times);
 
 inline constexpr int propagator_load_degree = 2;  ///< of boundary values and sources in time
+/// Part of the tolerance that the fit of loads may take: each of several misfits adds to the error.
+inline constexpr double load_share = 0.2;
 
 /// Output times that the propagator serves with one recurrence, for states of so many entries.
 std::size_t times_at_once(std::size_t state_size);

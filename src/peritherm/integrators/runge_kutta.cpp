@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/base/field_storage.hpp"
 #include "peritherm/integrators/integrator.hpp"
 
 namespace peritherm {
@@ -78,7 +79,7 @@ class Euler final : public FixedStepIntegrator {
     return target;
   }
 
-  std::vector<double> moved_;
+  FieldStorage moved_;
 };
 
 class Classical final : public FixedStepIntegrator {
@@ -104,7 +105,7 @@ class Classical final : public FixedStepIntegrator {
     return temperature;
   }
 
-  std::vector<double> first_, second_, third_;
+  FieldStorage first_, second_, third_;
 };
 
 }  // namespace

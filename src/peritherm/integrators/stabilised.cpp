@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/base/field_storage.hpp"
 #include "peritherm/integrators/integrator.hpp"
 
 namespace peritherm {
@@ -149,7 +150,7 @@ class Legendre final : public TimeIntegrator {
   double lowest_ = std::numeric_limits<double>::infinity();
   double highest_ = -std::numeric_limits<double>::infinity();
   StepCount count_;
-  std::vector<double> start_, previous_, latest_, slope_;
+  FieldStorage start_, previous_, latest_, slope_;
 };
 
 }  // namespace

@@ -59,6 +59,7 @@ class SundialsMarch : public TimeIntegrator {
   Field values(N_Vector vector) const { return {N_VGetArrayPointer(vector), system_.size()}; }
   void refuse_growing_cracks(double from, double to);
   void begin(double from, Field temperature);
+  void look_ahead(double to);
   void find_free_points();
 
   std::string name_;
@@ -73,6 +74,8 @@ class SundialsMarch : public TimeIntegrator {
   double reached_ = 0.0;
   bool started_ = false;
   double lowest_ = 0.0, highest_ = 0.0;  ///< temperatures so far
+  double promise_ = 0.0;                 ///< change that rates make while the fastest decay lasts [K]
+  double smooth_until_ = 0.0;            ///< loads hardly change, or smoothly, until then [s]
   std::string message_;
   std::exception_ptr failure_;
 };

@@ -90,7 +90,7 @@ class BondCorrections {
   std::vector<std::uint32_t> by_entry_;  ///< numbers of the segments, ascending by entry
 };
 
-///
+/// Follows every bond that may differ from the stencil's, once. `kernel` as above.
 BondCorrections make_corrections(const Body& body, const PaddedGrid& layout, const Stencil& stencil,
                                  const HeldPoints& held_by, std::string_view kernel);
 

@@ -112,6 +112,7 @@ class PairPlans {
     std::swap(axis.is, axis.os);
     std::swap(lane.is, lane.os);
     back = Transforms::plan(1, &axis, 1, &lane, to, from, FFTW_BACKWARD, flags);
+    if (there == nullptr || back == nullptr) throw std::bad_alloc();
   }
 };
 

@@ -22,7 +22,7 @@ struct RowRuns {
   std::size_t free_points = 0;
 };
 
-///
+/// One run per row where material and holding do not change.
 RowRuns make_row_runs(const Body& body, const HeldPoints& held_by);
 
 }  // namespace peritherm

@@ -157,7 +157,14 @@ double memory_estimate(const Problem& problem, BackendName backend, int threads)
   const Grid grid = make_grid(problem);
   const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
   double bytes = memory_of_run(problem) + backend_bytes(problem, backend, stencil.radius, threads);
-  if (!problem.sources.empty()) bytes += 8.0 * static_cast<double>(grid.size());
+  // The field of heating rates, and its derivatives in time.
+  bool heats = false, changes = false;
+  for (const HeatSource& source : problem.sources) {
+    heats = true;
+    changes = changes || CompiledProfile(source.value).depends_on_time();
+  }
+  bytes += (heats ? 8.0 : 0.0) * static_cast<double>(grid.size());
+  bytes += (changes ? 8.0 * (propagator_load_degree + 1) : 0.0) * static_cast<double>(grid.size());
   if (backend == BackendName::bond) bytes += bytes_of_bonds(grid, stencil.entries.size());
   return bytes;
 }

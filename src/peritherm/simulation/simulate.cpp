@@ -34,9 +34,10 @@ class EnergyBalance {
     widen(state);
   }
 
-  /// |Σ rates| over the largest of them, for states whose heats are unknown.
-  static double imbalance(const std::vector<double>& rates) {
-    double sum = 0.0, largest = 0.0;
+  /// |Σ rates| over the largest of them, for states whose heats are unknown. Where next to nothing flows, a billionth
+  /// of what the spread of temperatures could make flow is the measure.
+  double imbalance(const std::vector<double>& rates, double fastest_rate) const {
+    double sum = 0.0, largest = 1e-9 * capacity_ * (highest_ - lowest_) * fastest_rate;
     for (const double rate : rates) {
       sum += rate;
       largest = std::max(largest, std::abs(rate));
@@ -224,6 +225,8 @@ class March {
     if (time > arrived_) {
       stopped_ = true;
       arrive(time);
+    } else {
+      record(time);
     }
     summary_.status = time < problem_.time.end ? "stopped" : "completed";
   }
@@ -239,7 +242,8 @@ class March {
     summary_.end_time = time;
     const bool steady = std::holds_alternative<SteadyState>(problem_.time.integrator) && time == problem_.time.end;
     summary_.energy_relative_residual =
-        steady ? EnergyBalance::imbalance(assembly_.system->account_rates(time, state_)) : balance_.residual(state_);
+        steady ? balance_.imbalance(assembly_.system->account_rates(time, state_), assembly_.system->fastest_rate())
+               : balance_.residual(state_);
   }
 
  private:
@@ -310,10 +314,14 @@ RunSummary run(const Problem& given, const RunSettings& settings) {
                                                     write_problem(problem));
   try {
     march.go();
-  } catch (const Error&) {
+  } catch (...) {
     summary.status = "failed";
     march.count_up();
-    write_summary(summary, settings.folder);
+    try {
+      write_summary(summary, settings.folder);
+    } catch (const Error&) {
+      // What ended the run matters more than that its summary is missing.
+    }
     throw;
   }
   write_summary(summary, settings.folder);

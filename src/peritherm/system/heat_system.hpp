@@ -111,7 +111,9 @@ class HeatSystem final : public ThermalSystem {
   bool loads_change() const;
   std::vector<double> probe_loads(double time);
   std::vector<double> allowed_misfit(double from, double to, double tolerance);
-  bool fits(double begin, double end, int degree, const std::vector<double>& allowed);
+  bool fits(double begin, double end, int degree, int count, const std::vector<double>& allowed);
+  LoadPiece find_piece(double from, double to, int degree, double tolerance);
+  bool sources_fit(const LoadPiece& piece, double tolerance);
   void fit_piece(const LoadPiece& piece);
   void combine(const Load& load, Field temperature, double rate_weight, Terms terms, Field result,
                Accumulations accumulations);

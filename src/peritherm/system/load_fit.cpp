@@ -9,9 +9,11 @@ namespace peritherm {
 namespace {
 
 constexpr int most_degree = 3;
-constexpr int checks = 13;            ///< places between the nodes at which a fit must hold
-constexpr int bisections = 5;         ///< that lengthen a piece once one has been found
-constexpr std::size_t probed = 2048;  ///< values of each kind that are looked at while the end of a piece is searched
+/// Loads are looked at so many times between the ends of a search; what is shorter may be missed.
+constexpr int looks = 1024;
+constexpr int fewest_looks = 13;
+constexpr int bisections = 5;        ///< that lengthen a piece once one has been found
+constexpr std::size_t probed = 512;  ///< values of each kind that are looked at while the end of a piece is searched
 
 using Weights = std::array<std::array<double, most_degree + 1>, most_degree + 1>;
 
@@ -33,6 +35,16 @@ Weights monomial_weights(int degree) {
     for (int k = 0; k <= degree; ++k) weights[k][i] = product[k];
   }
   return weights;
+}
+
+/// The n-th of count looks, from 0 to 1: spread evenly, but not so evenly that periodic loads look constant.
+double look(int n, int count) {
+  const double golden = 0.6180339887498949 * n;
+  return n == count ? 1.0 : (n + 0.5 * (golden - std::floor(golden))) / count;
+}
+
+double shortest_piece(double from, double to) {
+  return std::max(1e-12 * (to - from), 8.0 * std::numeric_limits<double>::epsilon() * std::abs(to));
 }
 
 }  // namespace
@@ -64,12 +76,12 @@ std::vector<double> HeatSystem::probe_loads(double time) {
 }
 
 /// Whether a polynomial through the nodes of [begin, end] meets the probed loads in between.
-bool HeatSystem::fits(double begin, double end, int degree, const std::vector<double>& allowed) {
+bool HeatSystem::fits(double begin, double end, int degree, int count, const std::vector<double>& allowed) {
   const Weights weights = monomial_weights(degree);
   std::vector<std::vector<double>> samples;
   for (int i = 0; i <= degree; ++i) samples.push_back(probe_loads(begin + (end - begin) * node(i, degree + 1)));
-  for (int c = 0; c <= checks; ++c) {
-    const double share = static_cast<double>(c) / checks;
+  for (int n_look = 0; n_look <= count; ++n_look) {
+    const double share = look(n_look, count);
     const std::vector<double> truth = probe_loads(begin + (end - begin) * share);
     for (std::size_t n = 0; n < truth.size(); ++n) {
       double value = 0.0;
@@ -87,8 +99,8 @@ bool HeatSystem::fits(double begin, double end, int degree, const std::vector<do
 /// How far each probed load may be missed: the tolerance times its own variation over [from, to].
 std::vector<double> HeatSystem::allowed_misfit(double from, double to, double tolerance) {
   std::vector<double> lowest = probe_loads(from), highest = lowest;
-  for (int c = 1; c <= 4 * checks; ++c) {
-    const std::vector<double> values = probe_loads(from + (to - from) * c / (4 * checks));
+  for (int n_look = 1; n_look <= looks; ++n_look) {
+    const std::vector<double> values = probe_loads(from + (to - from) * look(n_look, looks));
     for (std::size_t n = 0; n < values.size(); ++n) {
       lowest[n] = std::min(lowest[n], values[n]);
       highest[n] = std::max(highest[n], values[n]);
@@ -104,27 +116,63 @@ std::vector<double> HeatSystem::allowed_misfit(double from, double to, double to
 
 std::optional<ThermalSystem::LoadPiece> HeatSystem::fit_loads(double from, double to, int degree, double tolerance) {
   if (parts_.conduction->changes_within(from, to)) return std::nullopt;
-  degree = std::min(degree, most_degree);
   LoadPiece piece{from, to, 0};
-  if (loads_change()) {
-    const std::vector<double> allowed = allowed_misfit(from, to, tolerance);
-    const double shortest = std::max(1e-12 * (to - from), 8.0 * std::numeric_limits<double>::epsilon() * std::abs(to));
-    double bad = to;
-    while (piece.end - from > shortest && !fits(from, piece.end, degree, allowed)) {
-      bad = piece.end;
-      piece.end = from + 0.5 * (piece.end - from);
-    }
-    for (int n = 0; n < bisections && piece.end < bad && piece.end - from > shortest; ++n) {
-      const double middle = 0.5 * (piece.end + bad);
-      (fits(from, middle, degree, allowed) ? piece.end : bad) = middle;
-    }
-    // A jump is passed in one tiny piece with the value in its middle.
-    if (piece.end - from > shortest) {
-      while (piece.degree < degree && !fits(from, piece.end, piece.degree, allowed)) ++piece.degree;
-    }
-  }
+  if (loads_change()) piece = find_piece(from, to, std::min(degree, most_degree), tolerance);
   fit_piece(piece);
+  // Probed points stand for all others until a piece is found; then all of them are asked.
+  const double shortest = shortest_piece(from, to);
+  while (sources_change_ && piece.end - from > shortest && !sources_fit(piece, tolerance)) {
+    piece.end = from + 0.5 * (piece.end - from);
+    if (piece.end - from <= shortest) piece.degree = 0;
+    fit_piece(piece);
+  }
   return piece;
+}
+
+/// The longest piece from `from` on that the probed loads allow.
+ThermalSystem::LoadPiece HeatSystem::find_piece(double from, double to, int degree, double tolerance) {
+  LoadPiece piece{from, to, 0};
+  const std::vector<double> allowed = allowed_misfit(from, to, tolerance);
+  const double shortest = shortest_piece(from, to);
+  const auto good = [&](double end, int d) {
+    const int count = std::max(fewest_looks, static_cast<int>(std::ceil(looks * (end - from) / (to - from))));
+    return fits(from, end, d, count, allowed);
+  };
+  double bad = to;
+  while (piece.end - from > shortest && !good(piece.end, degree)) {
+    bad = piece.end;
+    piece.end = from + 0.5 * (piece.end - from);
+  }
+  // A jump is passed in one tiny piece with the value in its middle.
+  if (piece.end - from <= shortest) return piece;
+  for (int n = 0; n < bisections && piece.end < bad; ++n) {
+    const double middle = 0.5 * (piece.end + bad);
+    (good(middle, degree) ? piece.end : bad) = middle;
+  }
+  while (piece.degree < degree && !good(piece.end, piece.degree)) ++piece.degree;
+  return piece;
+}
+
+/// Whether the fitted sources are those of every point at two times that no fit has looked at.
+bool HeatSystem::sources_fit(const LoadPiece& piece, double tolerance) {
+  for (const double share : {0.2887, 0.8306}) {
+    const double after = share * (piece.end - piece.begin);
+    update_sources(piece.begin + after);
+    double largest = 0.0, missed = 0.0;
+    const auto count = static_cast<std::int64_t>(load_.size());
+#pragma omp parallel for schedule(static) reduction(max : largest, missed)
+    for (std::int64_t n = 0; n < count; ++n) {
+      double value = 0.0;
+      for (std::size_t k = fitted_.size(); k-- > 0;) {
+        value = fitted_[k].sources[n] + value * after / static_cast<double>(k + 1);
+      }
+      largest = std::max(largest, std::abs(load_[n]));
+      missed = std::max(missed, std::abs(value - load_[n]));
+    }
+    const double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+    if (missed > (2.0 * tolerance + rounding) * largest) return false;
+  }
+  return true;
 }
 
 /// Derivatives of the loads at the begin of a piece from their values at its nodes.
