@@ -185,8 +185,10 @@ int set_threads(const Problem& problem) {
 }  // namespace
 
 Prepared prepare(const Problem& problem) {
-  Prepared prepared{problem, {}, set_threads(problem)};
   const Grid grid = make_grid(problem);
+  // Whatever the backend, and before the choice makes anything as large as the grid.
+  refuse_if_too_large(memory_of_run(problem), grid);
+  Prepared prepared{problem, {}, set_threads(problem)};
   const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
   const double evaluations = evaluations_for(problem, problem.time.integrator,
                                              expected_fastest_rate(problem, grid, stencil), grid.spacing, grid.size());
