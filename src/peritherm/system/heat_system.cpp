@@ -260,8 +260,11 @@ double HeatSystem::fastest_rate() {
   if (fastest_rate_ > 0.0) return fastest_rate_;
   fastest_rate_ = bound_fastest_rate();
   const bool sharp = parts_.bound_is_sharp && parts_.exchanges.empty();
-  if (!sharp) {
-    const double estimate = estimate_fastest_rate(*this, parts_.conduction->free_points());
+  // Small bodies cost little anyway, and may fall into pieces whose decays an estimate does not see.
+  constexpr std::size_t fewest_points = 10000;
+  const std::size_t points = parts_.conduction->free_points();
+  if (!sharp && points >= fewest_points) {
+    const double estimate = estimate_fastest_rate(*this, points);
     if (estimate > 0.0) fastest_rate_ = std::min(fastest_rate_, estimate);
   }
   return fastest_rate_;
