@@ -8,9 +8,9 @@ import re
 import sys
 from pathlib import Path
 
-ROOMS = ["base", "geometry", "physics", "discretisation", "operators", "system", "integrators", "output", "simulation",
-         "studies"]
-SEES_ONLY = {"output": {"base", "discretisation", "output"}}
+ROOMS = ["base", "geometry", "physics", "solutions", "discretisation", "operators", "system", "integrators", "output",
+         "simulation", "studies", "papers"]
+SEES_ONLY = {"output": {"base", "solutions", "discretisation", "output"}}
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60
 NOTED_FUNCTION_LINES = 40

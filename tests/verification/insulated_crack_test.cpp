@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "peritherm/studies/classical.hpp"
+#include "peritherm/solutions/classical.hpp"
 #include "support/order_of_convergence.hpp"
 #include "support/run_problem.hpp"
 #include "support/tolerance.hpp"

@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 
-#include "peritherm/studies/classical.hpp"
+#include "peritherm/solutions/classical.hpp"
 #include "support/order_of_convergence.hpp"
 #include "support/published.hpp"
 #include "support/run_problem.hpp"

@@ -3,7 +3,7 @@
 #include <complex>
 #include <numbers>
 
-#include "peritherm/studies/classical.hpp"
+#include "peritherm/solutions/classical.hpp"
 
 namespace peritherm {
 namespace {

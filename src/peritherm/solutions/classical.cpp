@@ -1,4 +1,4 @@
-#include "peritherm/studies/classical.hpp"
+#include "peritherm/solutions/classical.hpp"
 
 #include <cmath>
 #include <numbers>

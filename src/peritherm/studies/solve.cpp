@@ -1,0 +1,84 @@
+#include "peritherm/studies/solve.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "peritherm/base/error.hpp"
+#include "peritherm/output/interpolation.hpp"
+#include "peritherm/simulation/assemble.hpp"
+#include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/plan.hpp"
+
+namespace peritherm {
+namespace {
+
+std::vector<double> points_of(const Assembly& assembly, ConstField state) {
+  const Body& body = assembly.geometry.body;
+  std::vector<double> values(body.grid.size());
+  assembly.layout.gather(state, values);
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    if (body.material_of[n] == no_material) values[n] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return values;
+}
+
+/// Keeps the temperatures of every point at each time.
+class Recorder {
+ public:
+  Recorder(Assembly& assembly, Solution& solution) : assembly_(assembly), solution_(solution) {}
+
+  bool operator()(double time, Field state) {
+    assembly_.system->begin_step(time, time);
+    assembly_.system->fill(time, state);
+    solution_.temperatures.push_back(points_of(assembly_, state));
+    for (std::size_t n = 0; n < solution_.temperatures.back().size(); ++n) {
+      if (std::isinf(solution_.temperatures.back()[n])) {
+        throw Error("a temperature becomes infinite", "Look at sources and boundary values", Fault::numerics);
+      }
+    }
+    solution_.times.push_back(time);
+    return true;
+  }
+
+ private:
+  Assembly& assembly_;
+  Solution& solution_;
+};
+
+}  // namespace
+
+double Solution::at(std::size_t time, const Point& place) const {
+  return interpolate(grid, temperatures.at(time), place);
+}
+
+Solution solve(const Problem& given, std::span<const double> times, const std::function<bool()>& stop_requested) {
+  Problem problem = given;
+  if (!times.empty() && times.back() > 0.0) problem.time.end = times.back();
+  problem.outputs.clear();
+  check(problem);
+  problem = prepare(problem).problem;
+  const auto start = std::chrono::steady_clock::now();
+  Assembly assembly = assemble(problem);
+  Solution solution{.grid = assembly.geometry.body.grid, .horizon = assembly.geometry.stencil_options.horizon};
+  solution.bonds = static_cast<double>(count_bonds(assembly.geometry.body, assembly.geometry.stencil));
+  FieldStorage state = initial_state(problem, assembly);
+  Recorder record(assembly, solution);
+  const std::size_t first = !times.empty() && times.front() == 0.0 ? 1 : 0;
+  if (first == 1) record(0.0, state);
+  const std::span<const double> later = times.subspan(first);
+  if (later.empty()) return solution;
+  const ChosenStepping chosen = choose_stepping(problem.time.integrator, *assembly.system, 0.0, later);
+  solution.integrator = std::visit([](const auto& options) { return std::string(options.name); }, chosen.stepping);
+  const auto integrator = make_integrator(chosen.stepping, *assembly.system);
+  const auto goes_on = [&stop_requested] { return !stop_requested || !stop_requested(); };
+  integrator->march(
+      0.0, later, state,
+      {[&](double, ConstField) { return goes_on(); },
+       [&](double now, Field field) { return record(now, field) && goes_on(); }, [&](double) { return goes_on(); }});
+  solution.count = integrator->count();
+  solution.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return solution;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "peritherm/discretisation/grid.hpp"
+#include "peritherm/integrators/integrator.hpp"
+#include "peritherm/simulation/problem.hpp"
+
+namespace peritherm {
+
+/// Temperatures of all points at some times, and what they cost.
+struct Solution {
+  Grid grid;
+  double horizon = 0.0;                           ///< [m]
+  std::vector<double> times;                      ///< ascending [s]
+  std::vector<std::vector<double>> temperatures;  ///< per time: of every point, x fastest; NaN where cut away
+  StepCount count;
+  std::string integrator;  ///< the one that was taken
+  double bonds = 0.0;      ///< pairs of points that exchange heat
+  double wall = 0.0;       ///< [s]
+  /// Temperature at a place, linear between points.
+  double at(std::size_t time, const Point& place) const;
+};
+
+/// Marches a problem through times (ascending, from 0 on) without writing files; `problem.time.end` and its outputs
+/// do not matter. `stop_requested` is asked after each step; true ends the march with fewer times.
+/// Throws Error with every fault of the problem.
+Solution solve(const Problem& problem, std::span<const double> times, const std::function<bool()>& stop_requested = {});
+
+}  // namespace peritherm
