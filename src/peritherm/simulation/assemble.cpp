@@ -59,7 +59,7 @@ Crack reach_out(Crack crack, const Grid& grid) {
 
 WallKind wall_kind(const BoundaryCondition& condition) {
   const auto* held = std::get_if<HeldTemperature>(&condition);
-  if (held == nullptr || held->imposed == Imposed::inner) return WallKind::even;
+  if (held == nullptr || holds_inside(*held)) return WallKind::even;
   return held->imposed == Imposed::mirror ? WallKind::odd : WallKind::constant;
 }
 
@@ -67,7 +67,7 @@ WallKind wall_kind(const BoundaryCondition& condition) {
 bool is_open(const BoundaryOptions& boundary) {
   if (boundary.where) return false;
   const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
-  if (held != nullptr) return held->imposed == Imposed::inner;
+  if (held != nullptr) return holds_inside(*held);
   const auto* insulated = std::get_if<Insulated>(&boundary.condition);
   return insulated != nullptr && insulated->imposed == Outside::natural;
 }
@@ -100,6 +100,7 @@ void place_on_face(const BoundaryOptions& boundary, std::size_t number, Body& bo
 
 /// Number of layers of points that a condition on a face holds: the wall's own for fictitious points outside.
 int held_layers(const HeldTemperature& held, const Grid& grid, double horizon) {
+  if (held.imposed == Imposed::row) return 1;
   if (held.imposed != Imposed::inner) return grid.placement == PointPlacement::boundary ? 1 : 0;
   const double depth = held.thickness.value_or(horizon) / grid.spacing - grid.first_depth();
   return static_cast<int>(std::floor(depth + 1e-9)) + 1;
@@ -156,7 +157,7 @@ void hold_points(const Problem& problem, Geometry& geometry) {
       geometry.held_boxes[b].include(p);
       ++count;
     });
-    if (count == 0 && (!boundary.face || held->imposed == Imposed::inner)) {
+    if (count == 0 && (!boundary.face || holds_inside(*held))) {
       throw Error("boundary." + std::to_string(b) + ": holds no point",
                   "Choose a thicker layer, or a part of the body that is not cut away");
     }
@@ -191,14 +192,6 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
                                                       Precision precision) {
   const Body& body = geometry.body;
   const Points points = make_points(body, layout);
-  const StencilOptions& options = geometry.stencil_options;
-  StencilOptions plain = options;
-  plain.calibration = Calibration::continuum;
-  const double calibration =
-      options.calibration == Calibration::continuum
-          ? 1.0
-          : 1.0 / effective_conductivity(make_stencil(plain, body.grid.spacing, body.grid.dimension), body.grid.spacing,
-                                         body.grid.dimension);
   std::map<std::int64_t, std::size_t> number_of;
   const bool partly_held =
       std::any_of(body.walls.begin(), body.walls.end(), [](const FaceWalls& wall) { return wall.partly_held; });
@@ -219,7 +212,7 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
   }
   std::vector<std::int64_t> owned(points.entries.begin(),
                                   points.entries.begin() + static_cast<std::ptrdiff_t>(points.owned));
-  return make_bond_operator(make_bonds(points, options, calibration, BondTracer(body), partner), std::move(owned),
+  return make_bond_operator(make_bonds(points, geometry.stencil, BondTracer(body), partner), std::move(owned),
                             std::move(inverse_capacities), layout.size(), precision);
 }
 
@@ -244,8 +237,8 @@ double spectral_bound(const Geometry& geometry) {
     conductivity = std::max(conductivity, body.materials[m].conductivity);
     capacity = std::min(capacity, volumetric_heat_capacity(body.materials[m]));
   }
-  // A path of resistors in series may pass a better conductor that holds neither of its ends.
-  if (body.interface == InterfaceRule::length_weighted_harmonic) {
+  // What lies along a bond may conduct better than what its ends are of.
+  if (body.interface == InterfaceRule::length_weighted_harmonic || body.interface == InterfaceRule::sided_harmonic) {
     conductivity = std::max(conductivity, body.materials[body.background].conductivity);
     for (const MaterialRegion& region : body.regions) {
       if (region.material != no_material) {
@@ -258,11 +251,12 @@ double spectral_bound(const Geometry& geometry) {
 
 }  // namespace
 
-Geometry make_geometry(const Problem& problem) {
+Geometry make_geometry(const Problem& given) {
+  const Problem problem = resolved(given);
   Geometry geometry;
   Body& body = geometry.body;
   body.grid = make_grid(problem);
-  body.interface = problem.nonlocality.interface;
+  body.interface = *problem.nonlocality.interface;
   const auto numbers = add_materials(problem, geometry);
   body.background = numbers.at(problem.body.material);
   for (const BodyRegion& region : problem.body.regions)
@@ -276,14 +270,14 @@ Geometry make_geometry(const Problem& problem) {
     if (problem.boundaries[b].face) place_on_face(problem.boundaries[b], b, body);
   }
   body.inspect_walls();
-  geometry.stencil_options = {problem.nonlocality.kernel, horizon_of(problem), problem.nonlocality.partial_volumes,
-                              problem.nonlocality.calibration};
+  geometry.stencil_options = stencil_options_of(problem);
   geometry.stencil = make_stencil(geometry.stencil_options, body.grid.spacing, body.grid.dimension);
   hold_points(problem, geometry);
   return geometry;
 }
 
-Assembly assemble(const Problem& problem) {
+Assembly assemble(const Problem& given) {
+  const Problem problem = resolved(given);
   Geometry geometry = make_geometry(problem);
   const PaddedGrid layout(geometry.body.grid, geometry.stencil.radius);
   const BackendName backend = expect_backend(problem, geometry.stencil, 1).backend;
