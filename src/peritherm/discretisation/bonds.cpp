@@ -79,7 +79,7 @@ Points make_points(const Body& body, const PaddedGrid& layout) {
     const GridIndex p = grid.index(n);
     const std::size_t before = points.size();
     append(p);
-    if (points.size() > before) points.volumes.push_back(grid.cell_volume() * grid.volume_share(p));
+    if (points.size() > before) points.volumes.push_back(grid.cell_volume() * body.volume_share(p));
   }
   points.owned = points.size();
   const auto pad = [&](int axis) { return layout.padding(axis); };
