@@ -88,8 +88,6 @@ double evaluations_by_pieces(const Chebyshev& options, ThermalSystem& system, do
   return sum;
 }
 
-constexpr const char* one_sided_reason = "points of the boundary follow others that do not feel it";
-
 constexpr double propagator_rounding = 1e-12;  ///< of rates, beyond which sums that cancel lose the answer
 
 void refuse_rounding(std::string_view method, ThermalSystem& system) {
@@ -113,20 +111,20 @@ void refuse_changes(ThermalSystem& system, double from, double end) {
       "Choose \"auto\" or \"rkl2\"");
 }
 
-/// What relies on a symmetric system.
+void refuse_one_sided(const TimeStepping& options, const ThermalSystem& system) {
+  if (system.is_symmetric() || !needs_symmetry(options)) return;
+  const std::string name = std::visit([](const auto& chosen) { return std::string(chosen.name); }, options);
+  throw Error(
+      "time.integrator: " + name + " needs bonds that conduct the same both ways, and " + std::string(one_sided_reason),
+      "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
+}
+
+}  // namespace
+
 bool needs_symmetry(const TimeStepping& options) {
   return std::holds_alternative<Chebyshev>(options) || std::holds_alternative<SteadyState>(options) ||
          std::holds_alternative<BackwardDifferences>(options) || std::holds_alternative<ImplicitRungeKutta>(options);
 }
-
-void refuse_one_sided(const TimeStepping& options, const ThermalSystem& system) {
-  if (system.is_symmetric() || !needs_symmetry(options)) return;
-  const std::string name = std::visit([](const auto& chosen) { return std::string(chosen.name); }, options);
-  throw Error("time.integrator: " + name + " needs heat to flow the same both ways, and " + one_sided_reason,
-              "Choose \"auto\", \"rkl2\", \"rk4\" or \"euler\", or impose the boundary with \"mirror\"");
-}
-
-}  // namespace
 
 std::size_t times_at_once(std::size_t state_size) {
   constexpr std::size_t room = std::size_t{1} << 26;  // bytes; beyond that, keeping results costs more than it saves
@@ -157,7 +155,7 @@ ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& syste
   propagator.relative_tolerance = automatic->relative_tolerance.value_or(propagator.relative_tolerance);
   stabilised.relative_tolerance = automatic->relative_tolerance.value_or(stabilised.relative_tolerance);
   if (times.empty()) return {propagator, "nothing to march through"};
-  if (!system.is_symmetric()) return {stabilised, one_sided_reason};
+  if (!system.is_symmetric()) return {stabilised, std::string(one_sided_reason)};
   if (system.rate_rounding() > propagator_rounding) {
     return {stabilised, "chebyshev would add up what single precision rounds"};
   }

@@ -106,8 +106,10 @@ bool holds_points(const BoundaryCondition& condition) {
 }
 
 /// Number of layers of points that a condition on a face holds: the wall's own for fictitious points outside.
-int held_layers(const BoundaryCondition& condition, const Grid& grid, double horizon, int radius) {
-  if (ties_points(condition)) return outside_of(condition) == Outside::slaved ? radius : 1;
+int held_layers(const BoundaryCondition& condition, const Grid& grid, double horizon, const Stencil& stencil) {
+  if (ties_points(condition)) {
+    return outside_of(condition) == Outside::slaved ? slaved_points(stencil, horizon, grid.spacing) : 1;
+  }
   const auto& held = std::get<HeldTemperature>(condition);
   if (held.imposed == Imposed::row) return 1;
   if (held.imposed != Imposed::inner) return grid.placement == PointPlacement::boundary ? 1 : 0;
@@ -138,7 +140,7 @@ void for_held(const BoundaryOptions& boundary, std::size_t number, const Geometr
   const Grid& grid = body.grid;
   if (boundary.face) {
     const int layers =
-        std::min(held_layers(boundary.condition, grid, geometry.stencil_options.horizon, geometry.stencil.radius),
+        std::min(held_layers(boundary.condition, grid, geometry.stencil_options.horizon, geometry.stencil),
                  grid.count(axis_of(*boundary.face)));
     for (int depth = 0; depth < layers; ++depth) {
       for_layer(grid, *boundary.face, depth, [&](const GridIndex& p) {

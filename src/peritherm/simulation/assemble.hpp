@@ -51,6 +51,10 @@ bool is_symmetric(const Problem& problem);
 /// Are there points on open faces whose bonds are not those of the stencil? Of a resolved problem.
 bool needs_bond_backend(const Problem& problem);
 
+/// How many of the outermost points a slaved face ties to the next one: those within a horizon of it, whether the
+/// kernel lets all of them conduct or not [bobaru2010, eq. 22].
+int slaved_points(const Stencil& stencil, double horizon, double spacing);
+
 /// The problem must have passed `check`.
 Geometry make_geometry(const Problem& problem);
 

@@ -1,4 +1,5 @@
-#include <optional>
+#include <algorithm>
+#include <cstdlib>
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/discretisation/bonds.hpp"
@@ -14,18 +15,15 @@ class TieBuilder {
       : body_(geometry.body),
         layout_(layout),
         face_(face),
-        radius_(geometry.stencil.radius),
+        stencil_(geometry.stencil),
+        slaved_(slaved_points(geometry.stencil, geometry.stencil_options.horizon, geometry.body.grid.spacing)),
         tracer_(geometry.body),
-        followers_(followers) {
-    StencilOptions options = geometry.stencil_options;
-    options.self_term = SelfTerm::none;
-    bonds_ = make_stencil(options, body_.grid.spacing, body_.grid.dimension);
-  }
+        followers_(followers) {}
 
   /// T_i = T of the first point farther in than the horizon + distance · q / k [bobaru2010, eq. 22].
   void tie_to_first_free(const GridIndex& p, std::size_t boundary) {
     GridIndex source = p;
-    source[axis()] = is_upper(face_) ? body_.grid.count(axis()) - 1 - radius_ : radius_;
+    source[axis()] = is_upper(face_) ? body_.grid.count(axis()) - 1 - slaved_ : slaved_;
     const MaterialIndex material = body_.material_of[body_.grid.number(source)];
     if (material == no_material) {
       throw Error("boundary." + std::to_string(boundary) +
@@ -38,13 +36,16 @@ class TieBuilder {
   }
 
   /// Σ over bonds of conductance · L (T_p − T_i) / volume is the heat flux at i along the inward normal
-  /// [bobaru2012, section 3.2], L the component of a bond along it.
+  /// [bobaru2012, section 3.2], L the component of a bond along it. What stands for a point's own cell has no part in
+  /// it.
   void tie_by_flux(const GridIndex& p) {
-    for (const StencilEntry& bond : bonds_.entries) {
-      const int inward = is_upper(face_) ? -bond.offset[axis()] : bond.offset[axis()];
-      if (inward > 0)
-        add_bond(p, {p[0] + bond.offset[0], p[1] + bond.offset[1], p[2] + bond.offset[2]},
-                 bond.conductance * inward * body_.grid.spacing / body_.grid.cell_volume());
+    for (std::size_t k = 0; k < stencil_.entries.size(); ++k) {
+      const auto& [offset, conductance] = stencil_.entries[k];
+      const double bond = conductance - (stencil_.self.empty() ? 0.0 : stencil_.self[k]);
+      const int inward = is_upper(face_) ? -offset[axis()] : offset[axis()];
+      if (inward <= 0 || bond <= 0.0) continue;
+      add_bond(p, {p[0] + offset[0], p[1] + offset[1], p[2] + offset[2]},
+               bond * inward * body_.grid.spacing / body_.grid.cell_volume());
     }
   }
 
@@ -66,9 +67,9 @@ class TieBuilder {
   const Body& body_;
   const PaddedGrid& layout_;
   Face face_;
-  int radius_;
+  const Stencil& stencil_;
+  int slaved_;
   BondTracer tracer_;
-  Stencil bonds_;  ///< without what stands for a point's own cell
   Followers& followers_;
   BondPath path_;
 };
@@ -102,6 +103,10 @@ class FluxSlots {
 };
 
 }  // namespace
+
+int slaved_points(const Stencil& stencil, double horizon, double spacing) {
+  return std::max(stencil.radius, static_cast<int>(horizon / spacing + 1e-9));
+}
 
 Followers make_followers(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout,
                          PrescribedValues& fluxes) {
