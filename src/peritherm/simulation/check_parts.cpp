@@ -3,6 +3,7 @@
 
 #include "peritherm/base/text.hpp"
 #include "peritherm/operators/fourier_sum.hpp"
+#include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/checker.hpp"
 
 namespace peritherm {
@@ -224,7 +225,31 @@ void check_crack_growth(Checker& checker, std::string_view integrator) {
 
 }  // namespace
 
+namespace {
+
+/// The first boundary that makes conduction one-sided, and those that only the bond backend evaluates.
+void check_one_sided(Checker& checker) {
+  if (!checker.sound("boundary") || !checker.sound("nonlocality") || !checker.grid || checker.grid_stands_in) return;
+  const Problem& problem = checker.problem;
+  const BackendName backend = problem.numerics.backend;
+  if (backend != BackendName::automatic && backend != BackendName::bond && needs_bond_backend(problem)) {
+    checker.add("numerics.backend",
+                "'" + std::string(name_of(backend)) +
+                    "' gives all points the bonds of one stencil, which this case's " + "points on faces have not",
+                "Choose \"auto\" or \"bond\", or points = \"centres\"");
+  }
+  if (is_symmetric(problem) || !needs_symmetry(problem.time.integrator)) return;
+  const std::string name =
+      std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
+  checker.add("time.integrator",
+              "'" + name + "' needs bonds that conduct the same both ways, and " + std::string(one_sided_reason),
+              "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
+}
+
+}  // namespace
+
 void check_numerics(Checker& checker) {
+  check_one_sided(checker);
   if (checker.problem.numerics.backend == BackendName::fourier && !fourier_sum_available()) {
     checker.add("numerics.backend", "'fft' needs FFTW, which this build has not",
                 "Install libfftw3-dev and configure with -DPERITHERM_FFTW=ON, or choose \"stencil\"");

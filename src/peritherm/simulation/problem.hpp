@@ -87,7 +87,7 @@ struct NonlocalityOptions {
         optional("interface", &NonlocalityOptions::interface,
                  "conductivity of bonds between materials; default: as the scheme does, else length_weighted_harmonic"),
         optional("boundary_volumes", &NonlocalityOptions::boundary_volumes,
-                 "with how much of its cell a point on a face counts; default: as the scheme does, else whole")};
+                 "with how much of its cell a point on a face counts where nothing stands outside; default: partial")};
   }
   bool operator==(const NonlocalityOptions&) const = default;
 };
