@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "peritherm/discretisation/broken_bonds.hpp"
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/geometry/crack.hpp"
 #include "peritherm/geometry/region.hpp"
@@ -43,6 +44,7 @@ struct Body {
   std::vector<MaterialIndex> material_of;  ///< per point, x fastest; no_material where cut away
   InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
   std::vector<CrackSurface> cracks;
+  BrokenBonds broken;  ///< by elongation
   std::array<FaceWalls, 6> walls;
   std::vector<WallKind> wall_kinds;  ///< per boundary index
 

@@ -70,6 +70,7 @@ std::vector<Issue> find_faults(const Problem& problem, const Locations& location
   check_boundaries(checker);
   check_profiles(checker);
   check_cracks(checker);
+  check_damage(checker);
   check_outputs(checker);
   check_numerics(checker);
   return std::move(checker.issues);

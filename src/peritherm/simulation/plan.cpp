@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/discretisation/broken_bonds.hpp"
 #include "peritherm/discretisation/damage.hpp"
 #include "peritherm/discretisation/padded_grid.hpp"
 #include "peritherm/simulation/assemble.hpp"
@@ -148,8 +149,13 @@ double expected_fastest_rate(const Problem& problem, const Grid& grid, const Ste
 
 /// What does not depend on the bonds of this very body.
 double memory_of_run(const Problem& problem) {
-  return bytes_of_fields(problem,
-                         std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
+  double bytes =
+      bytes_of_fields(problem, std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
+  if (problem.damage) {
+    const Grid grid = make_grid(problem);
+    bytes += bytes_of_break_search(grid, make_stencil(stencil_options(problem), grid.spacing, grid.dimension));
+  }
+  return bytes;
 }
 
 /// Known before anything is allocated: corrected bonds are not, but they lie near surfaces and cracks only.
