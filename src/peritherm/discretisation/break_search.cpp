@@ -63,7 +63,7 @@ class BreakSearch {
   void look(const Displacements* before, const Displacements& now) {
     const PointBlocks blocks(body_.grid);
     std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (blocks.size() > 1)
     for (std::int64_t b = 0; b < blocks.size(); ++b) {
       try {
         if (count_ <= most_) search(blocks[b], before, now);

@@ -57,4 +57,13 @@ std::optional<double> BrokenBonds::time_of(const Point& from, const Point& to) c
   return row(grid_.number(p)).find(number_of({q[0] - p[0], q[1] - p[1], q[2] - p[2]}));
 }
 
+std::size_t BrokenBonds::count_times(double from, double to) const {
+  std::vector<double> times;
+  for (const double time : times_) {
+    if (time > from && time < to) times.push_back(time);
+  }
+  std::sort(times.begin(), times.end());
+  return static_cast<std::size_t>(std::unique(times.begin(), times.end()) - times.begin());
+}
+
 }  // namespace peritherm

@@ -49,6 +49,8 @@ class BrokenBonds {
   std::span<const std::int64_t> points() const { return points_; }
   /// Directed bonds that break.
   std::size_t size() const { return times_.size(); }
+  /// How many different times after `from` and before `to` a bond breaks at.
+  std::size_t count_times(double from, double to) const;
 
  private:
   GridIndex index_at(const Point& place) const;

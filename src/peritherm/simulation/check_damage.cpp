@@ -116,6 +116,7 @@ void check_damage(Checker& checker) {
     checker.add("damage.every", "must be positive", "Got " + shortest(*damage.every) + " s");
   }
   if (damage.displacement.has_value() == damage.table.has_value()) {
+    if (!checker.sound("damage.displacement") || !checker.sound("damage.table")) return;
     return checker.add("damage",
                        damage.table ? "has both displacement and table" : "has neither displacement nor table",
                        damage.table ? "Leave one of them out" : "Give one of them");

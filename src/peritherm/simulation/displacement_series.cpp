@@ -1,5 +1,7 @@
 #include "peritherm/simulation/displacement_series.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <exception>
 #include <limits>
@@ -12,11 +14,17 @@
 namespace peritherm {
 namespace {
 
+constexpr std::size_t worth_threads = 1000;  ///< points
+
 /// Displacements by expressions.
 class ExpressionSeries {
  public:
   ExpressionSeries(const DamageOptions& options, const Body& body) : body_(body), every_(options.every.value_or(0.0)) {
-    for (const Profile& profile : *options.displacement) components_.emplace_back(profile);
+    // Parsers are not for sharing, and making one costs as much as evaluating it for many points.
+    copies_.resize(static_cast<std::size_t>(omp_get_max_threads()));
+    for (auto& components : copies_) {
+      for (const Profile& profile : *options.displacement) components.emplace_back(profile);
+    }
     once_ = !depends_on_time(*options.displacement);
   }
 
@@ -26,9 +34,9 @@ class ExpressionSeries {
     const Grid& grid = body_.grid;
     const std::int64_t rows = static_cast<std::int64_t>(grid.count(1)) * grid.count(2);
     std::exception_ptr failure;
-#pragma omp parallel
+#pragma omp parallel num_threads(copies_.size()) if (grid.size() > worth_threads)
     {
-      std::vector<CompiledProfile> components = components_;
+      std::vector<CompiledProfile>& components = copies_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
       for (std::int64_t row = 0; row < rows; ++row) {
         try {
@@ -68,7 +76,7 @@ class ExpressionSeries {
   const Body& body_;
   double every_;
   bool once_;
-  std::vector<CompiledProfile> components_;
+  std::vector<std::vector<CompiledProfile>> copies_;  ///< per thread: one per dimension
   long looks_ = 0;
 };
 
