@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "peritherm/discretisation/broken_bonds.hpp"
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/geometry/crack.hpp"
 #include "peritherm/geometry/region.hpp"
@@ -44,6 +45,7 @@ struct Body {
   InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
   BoundaryVolumes boundary_volumes = BoundaryVolumes::partial;
   std::vector<CrackSurface> cracks;
+  BrokenBonds broken;  ///< by elongation
   std::array<FaceWalls, 6> walls;
   std::vector<WallKind> wall_kinds;  ///< per boundary index
 

@@ -10,6 +10,7 @@
 #include "peritherm/operators/fourier_sum.hpp"
 #include "peritherm/simulation/backend_choice.hpp"
 #include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/displacement_series.hpp"
 
 namespace peritherm {
 namespace {
@@ -316,6 +317,7 @@ Geometry make_geometry(const Problem& given) {
   body.inspect_walls();
   geometry.stencil_options = stencil_options_of(problem);
   geometry.stencil = make_stencil(geometry.stencil_options, body.grid.spacing, body.grid.dimension);
+  body.broken = break_bonds(problem, body, geometry.stencil);
   hold_points(problem, geometry);
   return geometry;
 }

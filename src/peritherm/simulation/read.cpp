@@ -46,6 +46,13 @@ void locate_overrides(const std::vector<AppliedOverride>& overrides, Locations& 
   }
 }
 
+/// Names of files in a case are relative to its own; the results' resolved.toml stands elsewhere.
+void find_files(const std::string& case_file, Problem& problem) {
+  if (!problem.damage || !problem.damage->table) return;
+  std::string& table = *problem.damage->table;
+  table = std::filesystem::absolute(std::filesystem::path(case_file).parent_path() / table).lexically_normal().string();
+}
+
 void sort_by_place(std::vector<Issue>& issues) {
   std::stable_sort(issues.begin(), issues.end(), [](const Issue& a, const Issue& b) {
     return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
@@ -66,6 +73,7 @@ ReadCase read_case(std::string_view toml, const std::string& file, const std::ve
   locate_overrides(applied, result.locations);
   Reader reader(result.locations);
   reader.read_table(root, "", result.problem);
+  find_files(file, result.problem);
   issues.insert(issues.end(), reader.issues().begin(), reader.issues().end());
   std::vector<std::string> broken;
   for (const Issue& issue : reader.issues()) broken.push_back(issue.where.key);
