@@ -46,6 +46,28 @@ double patch(const Slab& slab, double place, double x, double t) {
   return fourier_number(slab, t) < late ? patch_by_images(slab, place, x, t) : patch_by_modes(slab, place, x, t);
 }
 
+/// ∂/∂x of the patch.
+double patch_slope(const Slab& slab, double place, double x, double t) {
+  if (t <= 0.0) return 0.0;
+  double sum = 0.0;
+  if (fourier_number(slab, t) < late) {
+    const double width = 2.0 * std::sqrt(slab.diffusivity * t);
+    for (int k = -4; k <= 4; ++k) {
+      const double below = (x - 2.0 * k * slab.length + place) / width;
+      const double above = (x - 2.0 * k * slab.length - place) / width;
+      const double image = (std::exp(-below * below) - std::exp(-above * above)) / (std::sqrt(pi) * width);
+      sum += k % 2 == 0 ? image : -image;
+    }
+    return sum;
+  }
+  const double fourier = fourier_number(slab, t);
+  for (int n = 1; n * decay(n, fourier) > negligible * decay(1, fourier); n += 2) {
+    const double wave = 0.5 * n * pi / slab.length;
+    sum -= 2.0 / slab.length * std::sin(wave * place) * std::sin(wave * x) * decay(n, fourier);
+  }
+  return sum;
+}
+
 /// ∫_u^∞ erfc.
 double integrated_erfc(double u) { return std::exp(-u * u) / std::sqrt(pi) - u * std::erfc(u); }
 
@@ -68,6 +90,26 @@ double unit_gradient(const Slab& slab, double x, double t) {
     sum += amplitude * std::sin(0.5 * n * pi * x / slab.length) * decay(n, fourier);
   }
   return x - sum;
+}
+
+/// ∂/∂x of it.
+double unit_gradient_slope(const Slab& slab, double x, double t) {
+  if (t <= 0.0) return 0.0;
+  const double fourier = fourier_number(slab, t);
+  double sum = 0.0;
+  if (fourier < late) {
+    const double width = 2.0 * std::sqrt(slab.diffusivity * t);
+    for (int n = 0; n <= 4; ++n) {
+      const double place = (2 * n + 1) * slab.length;
+      const double image = std::erfc((place - x) / width) + std::erfc((place + x) / width);
+      sum += n % 2 == 0 ? image : -image;
+    }
+    return sum;
+  }
+  for (int n = 1; decay(n, fourier) > negligible; n += 2) {
+    sum += (n % 4 == 1 ? 4.0 : -4.0) / (n * pi) * std::cos(0.5 * n * pi * x / slab.length) * decay(n, fourier);
+  }
+  return 1.0 - sum;
 }
 
 }  // namespace
@@ -100,6 +142,24 @@ double slab_with_step_start(const Slab& slab, const StepStart& start, double hel
 
 double slab_with_prescribed_gradient(const Slab& slab, double held, double gradient, double x, double t) {
   return held * slab_heated_from_one_end(slab, x, t) + gradient * unit_gradient(slab, x, t);
+}
+
+double slope_of_slab_with_held_ends(const Slab& slab, double x, double t) {
+  const Slab half{0.5 * slab.length, slab.diffusivity};
+  return std::copysign(1.0, x - half.length) * patch_slope(half, half.length, std::abs(x - half.length), t);
+}
+
+double slope_of_slab_held_and_insulated(const Slab& slab, double x, double t) {
+  return -patch_slope(slab, slab.length, slab.length - x, t);
+}
+
+double slope_of_slab_with_step_start(const Slab& slab, const StepStart& start, double held, double x, double t) {
+  return (start.right - held) * patch_slope(slab, slab.length, x, t) +
+         (start.left - start.right) * patch_slope(slab, start.place, x, t);
+}
+
+double slope_of_slab_with_prescribed_gradient(const Slab& slab, double held, double gradient, double x, double t) {
+  return gradient * unit_gradient_slope(slab, x, t) - held * slope_of_slab_held_and_insulated(slab, x, t);
 }
 
 double lumped_convection(double start, double ambient, double rate, double t) {

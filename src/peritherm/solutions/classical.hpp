@@ -37,6 +37,12 @@ double slab_with_step_start(const Slab& slab, const StepStart& start, double hel
 /// 3.8]: held + gradient x − Σ_{n odd} (4 held/(nπ) + gradient (−1)^((n−1)/2) 8L/(nπ)²) sin(nπx/2L) exp(−α (nπ/2L)² t)
 double slab_with_prescribed_gradient(const Slab& slab, double held, double gradient, double x, double t);
 
+/// ∂T/∂x of these; the heat flux is −k times it. At t = 0 it is 0, without what starts at ends and steps.
+double slope_of_slab_with_held_ends(const Slab& slab, double x, double t);
+double slope_of_slab_held_and_insulated(const Slab& slab, double x, double t);
+double slope_of_slab_with_step_start(const Slab& slab, const StepStart& start, double held, double x, double t);
+double slope_of_slab_with_prescribed_gradient(const Slab& slab, double held, double gradient, double x, double t);
+
 /// Body without inner resistance that exchanges heat with its surroundings, C dT/dt = h A (T∞ − T):
 ///   T∞ + (start − T∞) exp(−rate t), rate = h A / C [1/s].
 double lumped_convection(double start, double ambient, double rate, double t);

@@ -1,18 +1,230 @@
 #include "peritherm/solutions/exact_solution.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "peritherm/base/error.hpp"
+#include "peritherm/base/text.hpp"
 #include "peritherm/solutions/classical.hpp"
+#include "peritherm/solutions/layered_slab.hpp"
+#include "peritherm/solutions/nonlocal_slab.hpp"
 
 namespace peritherm {
 namespace {
 
-double value(const HeldEnds& bar, const Point& place, double time) {
-  return bar.held + (bar.start - bar.held) * slab_with_held_ends({bar.length, bar.diffusivity}, place[0], time);
+/// The coordinate, moved to the end where rounding put it beyond.
+double inside(double x, double length, std::string_view name) {
+  const double slack = 1e-9 * length;
+  if (x >= -slack && x <= length + slack) return std::clamp(x, 0.0, length);
+  throw Error("the exact solution '" + std::string(name) + "' reaches from 0 to " + shortest(length) +
+                  " m, but a temperature is asked for at " + shortest(x) + " m",
+              "Let its lengths be those of the body");
+}
+
+template <class Bar>
+double place_in(const Bar& bar, const Point& place) {
+  return inside(place[0], bar.length, Bar::name);
+}
+
+template <class Bar>
+Slab slab_of(const Bar& bar) {
+  return {bar.length, bar.diffusivity};
+}
+
+/// Place from a centre.
+Point from_centre(const Point& place, const Coordinates& centre) {
+  const Point origin = to_point(centre);
+  return {place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]};
+}
+
+TemperatureAt prepare(const HeldEnds& bar) {
+  return [bar](const Point& place, double time) {
+    return bar.held + (bar.start - bar.held) * slab_with_held_ends(slab_of(bar), place_in(bar, place), time);
+  };
+}
+
+TemperatureAt prepare(const HeldAndInsulated& bar) {
+  return [bar](const Point& place, double time) {
+    return bar.held + (bar.start - bar.held) * slab_held_and_insulated(slab_of(bar), place_in(bar, place), time);
+  };
+}
+
+TemperatureAt prepare(const SteppedStart& bar) {
+  return [bar](const Point& place, double time) {
+    return slab_with_step_start(slab_of(bar), {bar.left, bar.right, bar.step}, bar.held, place_in(bar, place), time);
+  };
+}
+
+TemperatureAt prepare(const HeldAndGradient& bar) {
+  return [bar](const Point& place, double time) {
+    return bar.start +
+           slab_with_prescribed_gradient(slab_of(bar), bar.held - bar.start, bar.gradient, place_in(bar, place), time);
+  };
+}
+
+TemperatureAt prepare(const NonlocalHeldEnds& bar) {
+  const NonlocalSlab slab{bar.length, bar.diffusivity, bar.horizon};
+  return [bar, slab](const Point& place, double time) {
+    return bar.held + (bar.start - bar.held) * nonlocal_slab_with_held_ends(slab, place_in(bar, place), time);
+  };
+}
+
+TemperatureAt prepare(const LayeredBar& bar) {
+  std::vector<SlabLayer> layers;
+  double length = 0.0;
+  for (std::size_t i = 0; i < bar.lengths.size(); ++i) {
+    layers.push_back({bar.lengths[i], bar.conductivities[i], bar.heat_capacities[i],
+                      bar.start.size() == 1 ? bar.start[0] : bar.start[i]});
+    length += bar.lengths[i];
+  }
+  // Shared because the modes are many and functions are copied.
+  const auto slab = std::make_shared<const LayeredSlab>(std::move(layers), bar.left, bar.right);
+  return [slab, length](const Point& place, double time) {
+    return slab->temperature(inside(place[0], length, LayeredBar::name), time);
+  };
+}
+
+/// Share of the difference between start and faces that is left along one axis of a box.
+double share_along(const HeldBox& box, std::size_t axis, const Point& place, double time) {
+  const double length = box.size[axis];
+  return slab_with_held_ends({length, box.diffusivity}, inside(place[axis], length, HeldBox::name), time);
+}
+
+TemperatureAt prepare(const HeldBox& box) {
+  return [box](const Point& place, double time) {
+    double share = box.start - box.held;
+    for (std::size_t axis = 0; axis < box.size.size(); ++axis) share *= share_along(box, axis, place, time);
+    return box.held + share;
+  };
+}
+
+TemperatureAt prepare(const SlitInSquare& square) {
+  return [square](const Point& place, double) {
+    const Point p = from_centre(place, square.centre);
+    const double half = 0.5 * square.side;
+    // On the slit, 0 is the upper face; what is left of a coordinate that ought to be 0 must not choose the lower one.
+    const double y = std::abs(p[1]) < 1e-12 * square.side ? 0.0 : p[1];
+    const double x = inside(p[0] + half, square.side, SlitInSquare::name) - half;
+    const double share = slit_in_square(square.slit / square.side, x / half,
+                                        (inside(y + half, square.side, SlitInSquare::name) - half) / half);
+    return 0.5 * (square.top + square.bottom) + 0.5 * (square.top - square.bottom) * share;
+  };
+}
+
+TemperatureAt prepare(const SlitInGradient& body) {
+  return [body](const Point& place, double) {
+    const Point p = from_centre(place, body.centre);
+    const double y = std::abs(p[1]) < 1e-12 * body.slit ? 0.0 : p[1];
+    return body.middle + body.gradient * slit_in_gradient(0.5 * body.slit, p[0], y);
+  };
+}
+
+TemperatureAt prepare(const LumpedBody& body) {
+  return [body](const Point&, double time) {
+    return lumped_convection(body.start, body.ambient, body.rate, std::max(0.0, time));
+  };
+}
+
+double slope(const HeldEnds& bar, const Point& place, double time) {
+  return (bar.start - bar.held) * slope_of_slab_with_held_ends(slab_of(bar), place_in(bar, place), time);
+}
+
+double slope(const HeldAndInsulated& bar, const Point& place, double time) {
+  return (bar.start - bar.held) * slope_of_slab_held_and_insulated(slab_of(bar), place_in(bar, place), time);
+}
+
+double slope(const SteppedStart& bar, const Point& place, double time) {
+  return slope_of_slab_with_step_start(slab_of(bar), {bar.left, bar.right, bar.step}, bar.held, place_in(bar, place),
+                                       time);
+}
+
+double slope(const HeldAndGradient& bar, const Point& place, double time) {
+  return slope_of_slab_with_prescribed_gradient(slab_of(bar), bar.held - bar.start, bar.gradient, place_in(bar, place),
+                                                time);
+}
+
+double slope(const HeldBox& box, const Point& place, double time) {
+  const double x = inside(place[0], box.size[0], HeldBox::name);
+  double product = (box.start - box.held) * slope_of_slab_with_held_ends({box.size[0], box.diffusivity}, x, time);
+  for (std::size_t axis = 1; axis < box.size.size(); ++axis) product *= share_along(box, axis, place, time);
+  return product;
+}
+
+template <class Other>
+double slope(const Other&, const Point&, double) {
+  throw Error("the exact solution '" + std::string(Other::name) + "' tells no gradient",
+              "Choose a solution of a bar of one material or of a box");
+}
+
+template <class Solution>
+std::string fault_of(const Solution&, int) {
+  return {};
+}
+
+std::string fault_of(const SteppedStart& bar, int) {
+  return bar.step < bar.length ? "" : "has its step beyond the end of the bar";
+}
+
+std::string fault_of(const LayeredBar& bar, int) {
+  const std::size_t layers = bar.lengths.size();
+  if (layers == 0) return "has no layer";
+  if (bar.conductivities.size() != layers || bar.heat_capacities.size() != layers) {
+    return "has " + std::to_string(layers) + " lengths, " + std::to_string(bar.conductivities.size()) +
+           " conductivities and " + std::to_string(bar.heat_capacities.size()) + " heat_capacities";
+  }
+  return bar.start.size() == 1 || bar.start.size() == layers ? "" : "needs one start for all layers or one for each";
+}
+
+std::string fault_of(const HeldBox& box, int dimension) {
+  return box.size.size() == static_cast<std::size_t>(dimension)
+             ? ""
+             : "has " + std::to_string(box.size.size()) + " lengths, but the body is " + std::to_string(dimension) +
+                   "-D";
+}
+
+std::string fault_of_slit(const Coordinates& centre, int dimension) {
+  if (dimension < 2) return "has a slit, which a 1-D body cannot have";
+  if (centre.size() < 2 || centre.size() > 3) return "needs a centre of two or three coordinates";
+  return {};
+}
+
+std::string fault_of(const SlitInSquare& square, int dimension) {
+  return square.slit < square.side ? fault_of_slit(square.centre, dimension) : "has a slit that cuts all of the square";
+}
+
+std::string fault_of(const SlitInGradient& body, int dimension) { return fault_of_slit(body.centre, dimension); }
+
+/// Boxes say themselves how many dimensions they have.
+int dimension_of(const ExactSolution& solution) {
+  const auto* box = std::get_if<HeldBox>(&solution);
+  return box == nullptr ? 2 : std::clamp(static_cast<int>(box->size.size()), 1, 3);
+}
+
+void require_sound(const ExactSolution& solution) {
+  const std::string fault = find_fault(solution, dimension_of(solution));
+  if (!fault.empty()) throw Error("the exact solution " + fault);
 }
 
 }  // namespace
 
+std::string find_fault(const ExactSolution& solution, int dimension) {
+  return std::visit([dimension](const auto& chosen) { return fault_of(chosen, dimension); }, solution);
+}
+
+TemperatureAt make_temperature(const ExactSolution& solution) {
+  require_sound(solution);
+  return std::visit([](const auto& chosen) { return prepare(chosen); }, solution);
+}
+
 double temperature(const ExactSolution& solution, const Point& place, double time) {
-  return std::visit([&](const auto& chosen) { return value(chosen, place, time); }, solution);
+  return make_temperature(solution)(place, time);
+}
+
+double gradient_along_x(const ExactSolution& solution, const Point& place, double time) {
+  require_sound(solution);
+  return std::visit([&place, time](const auto& chosen) { return slope(chosen, place, time); }, solution);
 }
 
 }  // namespace peritherm

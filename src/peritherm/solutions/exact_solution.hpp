@@ -1,32 +1,33 @@
 #pragma once
 
+#include <functional>
+#include <string>
 #include <variant>
 
 #include "peritherm/base/describe.hpp"
 #include "peritherm/base/field.hpp"
+#include "peritherm/solutions/exact_bars.hpp"
+#include "peritherm/solutions/exact_plates.hpp"
 
 namespace peritherm {
 
-/// Bar of length L or slab, both ends held, uniform start [K or °C].
-struct HeldEnds {
-  double length = 0.0;       ///< L [m]; the bar reaches from x = 0 to L
-  double diffusivity = 0.0;  ///< α [m²/s]
-  double start = 1.0;
-  double held = 0.0;
-  static constexpr std::string_view name = "held_ends";
-  static constexpr std::string_view help = "bar whose ends are held, uniform at the start";
-  static constexpr auto options() {
-    return std::tuple{required("length", &HeldEnds::length, "m", positive, "length of the bar, which begins at x = 0"),
-                      required("diffusivity", &HeldEnds::diffusivity, "m^2/s", positive, "k / (density specific_heat)"),
-                      optional("start", &HeldEnds::start, "K", any_number, "temperature at the start"),
-                      optional("held", &HeldEnds::held, "K", any_number, "temperature of both ends")};
-  }
-  bool operator==(const HeldEnds&) const = default;
-};
+using ExactSolution = std::variant<HeldEnds, HeldAndInsulated, SteppedStart, HeldAndGradient, NonlocalHeldEnds,
+                                   LayeredBar, HeldBox, SlitInSquare, SlitInGradient, LumpedBody>;  ///< the list
 
-using ExactSolution = std::variant<HeldEnds>;  ///< the list
+/// What is wrong with the options of a solution for a body of 1, 2 or 3 dimensions, as words that follow its key;
+/// empty if nothing.
+std::string find_fault(const ExactSolution& solution, int dimension);
 
-/// Temperature at a place and time. Throws Error if the solution does not reach there.
+/// Temperature at a place and time. Throws Error if the solution does not reach there or its options have a fault.
 double temperature(const ExactSolution& solution, const Point& place, double time);
+
+/// The same for many places and times: what depends on the options alone is computed once. May be called by several
+/// threads at a time.
+using TemperatureAt = std::function<double(const Point& place, double time)>;
+TemperatureAt make_temperature(const ExactSolution& solution);
+
+/// ∂T/∂x [K/m]; the heat flux along x is −k times it. For bars without horizon and layers, and for boxes; throws Error
+/// for other solutions.
+double gradient_along_x(const ExactSolution& solution, const Point& place, double time);
 
 }  // namespace peritherm

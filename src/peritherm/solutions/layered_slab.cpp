@@ -1,0 +1,168 @@
+#include "peritherm/solutions/layered_slab.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "peritherm/base/error.hpp"
+
+namespace peritherm {
+namespace {
+
+constexpr double full_turn_half = std::numbers::pi;
+
+/// Modes and half-space solutions below this part of the largest one are left out: exp(−37), erfc(5.9).
+constexpr double negligible_exponent = 37.0;
+constexpr double negligible_depth = 5.9;
+constexpr double most_modes = 2e5;
+
+/// The phase beyond an interface: its tangent is multiplied by the ratio, its number of quarters stays.
+double phase_beyond(double phase, double ratio, double& slope) {
+  const double turns = full_turn_half * std::round(phase / full_turn_half);
+  const double sine = std::sin(phase - turns);
+  const double cosine = std::cos(phase - turns);
+  slope *= ratio / (cosine * cosine + ratio * ratio * sine * sine);
+  return turns + std::atan2(ratio * sine, cosine);
+}
+
+}  // namespace
+
+LayeredSlab::LayeredSlab(std::vector<SlabLayer> layers, double left, double right) : layers_(std::move(layers)) {
+  places_.push_back(0.0);
+  double resistance = 0.0;
+  for (const SlabLayer& layer : layers_) {
+    places_.push_back(places_.back() + layer.length);
+    times_.push_back(layer.length * std::sqrt(layer.heat_capacity / layer.conductivity));
+    effusivities_.push_back(std::sqrt(layer.conductivity * layer.heat_capacity));
+    resistance += layer.length / layer.conductivity;
+  }
+  double passed = 0.0;
+  steady_.push_back(left);
+  for (const SlabLayer& layer : layers_) {
+    passed += layer.length / layer.conductivity;
+    steady_.push_back(left + (right - left) * std::min(1.0, passed / resistance));
+  }
+  const double quickest = *std::min_element(times_.begin(), times_.end());
+  early_ = std::pow(0.5 * quickest / negligible_depth, 2);
+  find_modes();
+}
+
+std::size_t LayeredSlab::layer_at(double x) const {
+  const auto beyond = std::upper_bound(places_.begin(), places_.end() - 1, x);
+  const auto layer = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, beyond - places_.begin() - 1));
+  return std::min(layer, layers_.size() - 1);
+}
+
+/// θ at the far end, and its slope over √λ.
+double LayeredSlab::last_phase(double root, double& slope) const {
+  double phase = 0.0;
+  slope = 0.0;
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    if (i > 0) phase = phase_beyond(phase, effusivities_[i] / effusivities_[i - 1], slope);
+    phase += root * times_[i];
+    slope += times_[i];
+  }
+  return phase;
+}
+
+/// √λ of a mode by Newton steps inside a bracket: an interface moves the phase by less than a quarter turn.
+double LayeredSlab::root_of_rate(int mode) const {
+  double all = 0.0;
+  for (const double time : times_) all += time;
+  const double wanted = mode * full_turn_half;
+  const double spread = 0.5 * full_turn_half * static_cast<double>(layers_.size() - 1);
+  double low = std::max(0.0, (wanted - spread) / all);
+  double high = (wanted + spread) / all;
+  double root = wanted / all;
+  for (int step = 0; step < 200; ++step) {
+    double slope = 0.0;
+    const double error = last_phase(root, slope) - wanted;
+    (error > 0.0 ? high : low) = root;
+    double next = root - error / slope;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (std::abs(next - root) <= 1e-15 * root) return next;
+    root = next;
+  }
+  return root;
+}
+
+void LayeredSlab::find_modes() {
+  const double largest = std::sqrt(negligible_exponent / early_);
+  double all = 0.0;
+  for (const double time : times_) all += time;
+  const double count = std::ceil(largest * all / full_turn_half) + static_cast<double>(layers_.size());
+  if (count > most_modes) {
+    throw Error("a layer is too thin beside the others for the exact solution of a layered bar",
+                "Merge it with its neighbour");
+  }
+  for (int mode = 1; mode <= static_cast<int>(count); ++mode) add_mode(root_of_rate(mode));
+}
+
+/// c_n = ∫ ρc (start − steady) φ dx / ∫ ρc φ² dx; over the steady state from (k φ')' = −λ ρc φ by parts.
+void LayeredSlab::add_mode(double root) {
+  Wave wave{1.0, 0.0};
+  double start = 0.0;
+  double norm = 0.0;
+  double flux = 0.0;
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    if (i > 0) {
+      const double ratio = effusivities_[i] / effusivities_[i - 1];
+      double unused = 0.0;
+      wave.amplitude *= std::hypot(std::sin(wave.phase), std::cos(wave.phase) / ratio);
+      wave.phase = phase_beyond(wave.phase, ratio, unused);
+    }
+    waves_.push_back(wave);
+    const double begin = wave.phase;
+    const double end = begin + root * times_[i];
+    // ρc l / (√λ l √(ρc/k)), the heat capacity over the wave number.
+    const double weight = effusivities_[i] / root;
+    start += weight * layers_[i].start * wave.amplitude * (std::cos(begin) - std::cos(end));
+    norm += 0.5 * weight * wave.amplitude * wave.amplitude *
+            (root * times_[i] - 0.5 * (std::sin(2.0 * end) - std::sin(2.0 * begin)));
+    if (i == 0) flux += steady_.front() * effusivities_[i] * wave.amplitude;
+    if (i + 1 == layers_.size()) flux -= steady_.back() * effusivities_[i] * wave.amplitude * std::cos(end);
+    wave.phase = end;
+  }
+  rates_.push_back(root * root);
+  coefficients_.push_back((start - flux / root) / norm);
+}
+
+double LayeredSlab::steady_temperature(double x) const {
+  const std::size_t i = layer_at(x);
+  return steady_[i] + (steady_[i + 1] - steady_[i]) * (x - places_[i]) / layers_[i].length;
+}
+
+/// The temperature that an end or interface takes at once and keeps as long as the layers seem half-spaces.
+double LayeredSlab::held_at_interface(std::size_t interface) const {
+  if (interface == 0) return steady_.front();
+  if (interface == layers_.size()) return steady_.back();
+  const double below = effusivities_[interface - 1];
+  const double above = effusivities_[interface];
+  return (below * layers_[interface - 1].start + above * layers_[interface].start) / (below + above);
+}
+
+double LayeredSlab::early_temperature(std::size_t layer, double x, double t) const {
+  const double start = layers_[layer].start;
+  const double depth = 2.0 * std::sqrt(layers_[layer].conductivity / layers_[layer].heat_capacity * t);
+  const auto share = [depth](double distance) {
+    return distance <= 0.0 ? 1.0 : (depth > 0.0 ? std::erfc(distance / depth) : 0.0);
+  };
+  return start + (held_at_interface(layer) - start) * share(x - places_[layer]) +
+         (held_at_interface(layer + 1) - start) * share(places_[layer + 1] - x);
+}
+
+double LayeredSlab::temperature(double x, double t) const {
+  const std::size_t layer = layer_at(x);
+  if (t < early_) return early_temperature(layer, x, std::max(0.0, t));
+  const double slowness = std::sqrt(layers_[layer].heat_capacity / layers_[layer].conductivity);
+  double sum = 0.0;
+  for (std::size_t n = 0; n < rates_.size() && rates_[n] * t < negligible_exponent + rates_.front() * t; ++n) {
+    const Wave& wave = waves_[n * layers_.size() + layer];
+    const double phase = wave.phase + std::sqrt(rates_[n]) * slowness * (x - places_[layer]);
+    sum += coefficients_[n] * wave.amplitude * std::sin(phase) * std::exp(-rates_[n] * t);
+  }
+  return steady_temperature(x) + sum;
+}
+
+}  // namespace peritherm
