@@ -20,6 +20,18 @@ struct EnumNames<PointPlacement> {
       {{PointPlacement::centres, "centres"}, {PointPlacement::boundary, "boundary"}}};
 };
 
+/// With how much of its cell a point on a face counts as a neighbour of others.
+enum class BoundaryVolumes {
+  whole,   ///< all of it where fictitious points complete it; the part inside where nothing stands outside
+  partial  ///< the part inside the box
+};
+
+template <>
+struct EnumNames<BoundaryVolumes> {
+  static constexpr std::array<std::pair<BoundaryVolumes, std::string_view>, 2> values{
+      {{BoundaryVolumes::whole, "whole"}, {BoundaryVolumes::partial, "partial"}}};
+};
+
 using GridIndex = std::array<int, 3>;  ///< place of a point along x, y, z; 0 along unused axes
 
 /// Uniform grid of cubic cells over a box. Points are numbered with x fastest.

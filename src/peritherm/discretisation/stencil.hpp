@@ -6,6 +6,7 @@
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/physics/kernel.hpp"
 #include "peritherm/physics/partial_volume.hpp"
+#include "peritherm/physics/self_term.hpp"
 
 namespace peritherm {
 
@@ -39,6 +40,7 @@ struct StencilOptions {
   double horizon = 0.0;  ///< [m]
   PartialVolumes partial_volumes = PartialVolumes::partial_area;
   Calibration calibration = Calibration::discrete;
+  SelfTerm self_term = SelfTerm::none;
 };
 
 /// Conductance κ(ξ) V² of bonds between whole cells of unit conductivity, before calibration, by their length [m].

@@ -59,7 +59,7 @@ Crack reach_out(Crack crack, const Grid& grid) {
 
 WallKind wall_kind(const BoundaryCondition& condition) {
   const auto* held = std::get_if<HeldTemperature>(&condition);
-  if (held == nullptr || held->imposed == Imposed::inner) return WallKind::even;
+  if (held == nullptr || holds_inside(*held)) return WallKind::even;
   return held->imposed == Imposed::mirror ? WallKind::odd : WallKind::constant;
 }
 
@@ -67,7 +67,7 @@ WallKind wall_kind(const BoundaryCondition& condition) {
 bool is_open(const BoundaryOptions& boundary) {
   if (boundary.where) return false;
   const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
-  if (held != nullptr) return held->imposed == Imposed::inner;
+  if (held != nullptr) return holds_inside(*held);
   const auto* insulated = std::get_if<Insulated>(&boundary.condition);
   return insulated != nullptr && insulated->imposed == Outside::natural;
 }
@@ -100,6 +100,7 @@ void place_on_face(const BoundaryOptions& boundary, std::size_t number, Body& bo
 
 /// Number of layers of points that a condition on a face holds: the wall's own for fictitious points outside.
 int held_layers(const HeldTemperature& held, const Grid& grid, double horizon) {
+  if (held.imposed == Imposed::row) return 1;
   if (held.imposed != Imposed::inner) return grid.placement == PointPlacement::boundary ? 1 : 0;
   const double depth = held.thickness.value_or(horizon) / grid.spacing - grid.first_depth();
   return static_cast<int>(std::floor(depth + 1e-9)) + 1;
@@ -156,7 +157,7 @@ void hold_points(const Problem& problem, Geometry& geometry) {
       geometry.held_boxes[b].include(p);
       ++count;
     });
-    if (count == 0 && (!boundary.face || held->imposed == Imposed::inner)) {
+    if (count == 0 && (!boundary.face || holds_inside(*held))) {
       throw Error("boundary." + std::to_string(b) + ": holds no point",
                   "Choose a thicker layer, or a part of the body that is not cut away");
     }
@@ -258,11 +259,12 @@ double spectral_bound(const Geometry& geometry) {
 
 }  // namespace
 
-Geometry make_geometry(const Problem& problem) {
+Geometry make_geometry(const Problem& given) {
+  const Problem problem = resolved(given);
   Geometry geometry;
   Body& body = geometry.body;
   body.grid = make_grid(problem);
-  body.interface = problem.nonlocality.interface;
+  body.interface = *problem.nonlocality.interface;
   const auto numbers = add_materials(problem, geometry);
   body.background = numbers.at(problem.body.material);
   for (const BodyRegion& region : problem.body.regions)
@@ -276,14 +278,14 @@ Geometry make_geometry(const Problem& problem) {
     if (problem.boundaries[b].face) place_on_face(problem.boundaries[b], b, body);
   }
   body.inspect_walls();
-  geometry.stencil_options = {problem.nonlocality.kernel, horizon_of(problem), problem.nonlocality.partial_volumes,
-                              problem.nonlocality.calibration};
+  geometry.stencil_options = stencil_options_of(problem);
   geometry.stencil = make_stencil(geometry.stencil_options, body.grid.spacing, body.grid.dimension);
   hold_points(problem, geometry);
   return geometry;
 }
 
-Assembly assemble(const Problem& problem) {
+Assembly assemble(const Problem& given) {
+  const Problem problem = resolved(given);
   Geometry geometry = make_geometry(problem);
   const PaddedGrid layout(geometry.body.grid, geometry.stencil.radius);
   const BackendName backend = expect_backend(problem, geometry.stencil, 1).backend;

@@ -45,7 +45,7 @@ Grid make_grid(const Problem& problem) {
   const BodyOptions& body = problem.body;
   Grid grid;
   grid.dimension = static_cast<int>(body.size.size());
-  grid.placement = body.points;
+  grid.placement = body.points.value_or(choices_of(problem.nonlocality.scheme).points);
   grid.origin = to_point(body.origin.value_or(Coordinates{}));
   for (std::size_t axis = 0; axis < body.size.size(); ++axis) {
     grid.cells[axis] =
@@ -60,8 +60,16 @@ double horizon_of(const Problem& problem) {
   return options.horizon ? *options.horizon : *options.horizon_ratio * make_grid(problem).spacing;
 }
 
-std::vector<Issue> find_faults(const Problem& problem, const Locations& locations,
+StencilOptions stencil_options_of(const Problem& problem) {
+  const NonlocalityOptions& options = problem.nonlocality;
+  const SchemeChoices choices = choices_of(options.scheme);
+  return {options.kernel, horizon_of(problem), options.partial_volumes.value_or(choices.partial_volumes),
+          options.calibration.value_or(choices.calibration), options.self_term.value_or(choices.self_term)};
+}
+
+std::vector<Issue> find_faults(const Problem& given, const Locations& locations,
                                const std::vector<std::string>& broken) {
+  const Problem problem = resolved(given);
   Checker checker{problem, locations, broken, std::nullopt, false, {}};
   check_body(checker);
   check_materials(checker);

@@ -14,6 +14,9 @@ Grid make_grid(const Problem& problem);
 /// Horizon [m], from horizon or horizon_ratio.
 double horizon_of(const Problem& problem);
 
+/// What its bonds are made from.
+StencilOptions stencil_options_of(const Problem& problem);
+
 /// Every rule that spans several options; empty if the problem can be run. Places are looked up by key.
 std::vector<Issue> find_faults(const Problem& problem, const Locations& locations = {});
 

@@ -252,7 +252,7 @@ void check_horizon(Checker& checker) {
         "Choose at most " + largest);
   }
   try {
-    make_stencil({options.kernel, horizon, options.partial_volumes, options.calibration}, grid.spacing, grid.dimension);
+    make_stencil(stencil_options_of(checker.problem), grid.spacing, grid.dimension);
   } catch (const Error& error) {
     checker.add(key, error.issues().front().problem, error.issues().front().hint);
   }

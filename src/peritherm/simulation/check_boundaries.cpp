@@ -50,6 +50,12 @@ void check_selection(Checker& checker, const std::string& key, const BoundaryOpt
   }
 }
 
+/// Ways that bodies cannot be given yet.
+void check_available(Checker& checker, const std::string& key, const std::optional<Outside>& imposed) {
+  if (imposed != Outside::slaved && imposed != Outside::flux_formula) return;
+  checker.add(key + ".imposed", '"' + std::string(name_of(*imposed)) + "\" is not available", "Choose \"mirror\"");
+}
+
 void check_condition(Checker& checker, const std::string& key, const BoundaryOptions& boundary) {
   if (std::holds_alternative<Insulated>(boundary.condition) && !boundary.face) {
     checker.add(key, "an insulated boundary needs a face", "Give face; inside the body use a [[crack]] or void");
@@ -58,9 +64,12 @@ void check_condition(Checker& checker, const std::string& key, const BoundaryOpt
   if (insulated != nullptr && boundary.where && insulated->imposed == Outside::natural) {
     checker.add(key + ".imposed", "\"natural\" applies to a whole face", "Leave where out, or choose \"mirror\"");
   }
+  if (insulated != nullptr) check_available(checker, key, insulated->imposed);
+  const auto* flux = std::get_if<PrescribedFlux>(&boundary.condition);
+  if (flux != nullptr) check_available(checker, key, flux->imposed);
   const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
   if (held == nullptr) return;
-  if (!boundary.face && held->imposed != HeldTemperature{}.imposed) {
+  if (!boundary.face && held->imposed.value_or(Imposed::mirror) != Imposed::mirror) {
     checker.add(key + ".imposed", "does not belong to a boundary without a face, whose points are held themselves",
                 "Leave it out, or give face");
   } else if (held->thickness && held->imposed != Imposed::inner) {

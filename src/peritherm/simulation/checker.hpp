@@ -10,7 +10,7 @@ namespace peritherm {
 
 /// What the rules share: the problem, the grid once it is known, and the list of faults.
 struct Checker {
-  const Problem& problem;
+  const Problem& problem;  ///< with everything filled in that its scheme decides
   const Locations& locations;
   const std::vector<std::string>& broken;  ///< keys that could not be read; rules on them would only echo that
   std::optional<Grid> grid;                ///< once the body has passed its rules

@@ -23,11 +23,6 @@ namespace {
 /// Below this, waiting for one another costs threads more than they gain, above all on a busy machine.
 constexpr double least_work_per_thread = 150e-6;
 
-StencilOptions stencil_options(const Problem& problem) {
-  return {problem.nonlocality.kernel, horizon_of(problem), problem.nonlocality.partial_volumes,
-          problem.nonlocality.calibration};
-}
-
 /// While cracks grow, the cutting of bonds sets the steps: so many evaluations per spacing that a tip passes, measured
 /// on crossing cracks.
 double growth_evaluations(const Problem& problem, double spacing, double tolerance) {
@@ -81,7 +76,7 @@ double bytes_of_fields(const Problem& problem, int states) {
   bool holds = grid.placement == PointPlacement::boundary;
   for (const BoundaryOptions& boundary : problem.boundaries) {
     const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
-    holds = holds || (held != nullptr && (!boundary.face || held->imposed == Imposed::inner));
+    holds = holds || (held != nullptr && (!boundary.face || holds_inside(*held)));
   }
   double per_point = 1.0 + (holds ? 2.0 : 0.0);
   double output = 0.0;
@@ -155,7 +150,7 @@ double memory_of_run(const Problem& problem) {
 /// Known before anything is allocated: corrected bonds are not, but they lie near surfaces and cracks only.
 double memory_estimate(const Problem& problem, BackendName backend, int threads) {
   const Grid grid = make_grid(problem);
-  const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
+  const Stencil stencil = make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension);
   double bytes = memory_of_run(problem) + backend_bytes(problem, backend, stencil.radius, threads);
   // The field of heating rates, and its derivatives in time.
   bool heats = false, changes = false;
@@ -174,7 +169,7 @@ int set_threads(const Problem& problem) {
   int threads = problem.numerics.threads;
   if (threads == 0) {
     const Grid grid = make_grid(problem);
-    const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
+    const Stencil stencil = make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension);
     const double work = expect_backend(problem, stencil, 1).evaluation_seconds;
     threads = std::clamp(static_cast<int>(work / least_work_per_thread), 1, omp_get_num_procs());
   }
@@ -184,12 +179,13 @@ int set_threads(const Problem& problem) {
 
 }  // namespace
 
-Prepared prepare(const Problem& problem) {
+Prepared prepare(const Problem& given) {
+  const Problem problem = resolved(given);
   const Grid grid = make_grid(problem);
   // Whatever the backend, and before the choice makes anything as large as the grid.
   refuse_if_too_large(memory_of_run(problem), grid);
   Prepared prepared{problem, {}, set_threads(problem), 0.0, 0.0};
-  const Stencil stencil = make_stencil(stencil_options(problem), grid.spacing, grid.dimension);
+  const Stencil stencil = make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension);
   const double evaluations = evaluations_for(problem, problem.time.integrator,
                                              expected_fastest_rate(problem, grid, stencil), grid.spacing, grid.size());
   prepared.choice = choose_backend(problem, stencil, prepared.threads, evaluations);

@@ -19,6 +19,8 @@
 #include "peritherm/physics/kernel.hpp"
 #include "peritherm/physics/material.hpp"
 #include "peritherm/physics/partial_volume.hpp"
+#include "peritherm/physics/self_term.hpp"
+#include "peritherm/simulation/scheme.hpp"
 
 namespace peritherm {
 
@@ -38,7 +40,7 @@ struct BodyOptions {
   Coordinates size;
   std::optional<std::vector<int>> cells;
   std::optional<double> spacing;
-  PointPlacement points = PointPlacement::centres;
+  std::optional<PointPlacement> points;
   std::string material;
   std::vector<BodyRegion> regions;
   static constexpr auto options() {
@@ -47,7 +49,9 @@ struct BodyOptions {
         required("size", &BodyOptions::size, "m", positive, "lengths of the box; their number is the dimension"),
         optional("cells", &BodyOptions::cells, "", positive, "number of cells along each axis; cells must be cubes"),
         optional("spacing", &BodyOptions::spacing, "m", positive, "edge of a cell, instead of cells"),
-        optional("points", &BodyOptions::points, "where points stand: in the cells' centres or on their corners"),
+        optional(
+            "points", &BodyOptions::points,
+            "where points stand: in the cells' centres or on their corners; default: as the scheme does, else centres"),
         required("material", &BodyOptions::material, "a name in [materials]"),
         optional("region", &BodyOptions::regions, "parts of another material; later ones overwrite")};
   }
@@ -58,19 +62,32 @@ struct NonlocalityOptions {
   std::optional<double> horizon;
   std::optional<double> horizon_ratio;
   Kernel kernel;
-  Calibration calibration = Calibration::discrete;
-  PartialVolumes partial_volumes = PartialVolumes::partial_area;
-  InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
+  Scheme scheme = Scheme::peritherm;
+  std::optional<Calibration> calibration;  ///< what is left out from here on is as the scheme does; see resolved
+  std::optional<PartialVolumes> partial_volumes;
+  std::optional<SelfTerm> self_term;
+  std::optional<InterfaceRule> interface;
+  std::optional<BoundaryVolumes> boundary_volumes;
   static constexpr auto options() {
     return std::tuple{
         optional("horizon", &NonlocalityOptions::horizon, "m", positive, "radius of interaction"),
         optional("horizon_ratio", &NonlocalityOptions::horizon_ratio, "", positive,
                  "radius of interaction over the spacing, instead of horizon"),
         optional("kernel", &NonlocalityOptions::kernel, "shape of the micro-conductivity"),
+        optional("scheme", &NonlocalityOptions::scheme,
+                 "whose discretisation: what decides the keys below, and how boundaries are imposed, where the case "
+                 "says nothing"),
         optional("calibration", &NonlocalityOptions::calibration,
-                 "discrete: the second moment of the grid's bonds is exact; continuum: that of the integral"),
-        optional("partial_volumes", &NonlocalityOptions::partial_volumes, "cells at the edge of the horizon"),
-        optional("interface", &NonlocalityOptions::interface, "conductivity of bonds between materials")};
+                 "discrete: the second moment of the grid's bonds is exact; continuum: that of the integral; default: "
+                 "as the scheme does, else discrete"),
+        optional("partial_volumes", &NonlocalityOptions::partial_volumes,
+                 "cells at the edge of the horizon; default: as the scheme does, else partial_area"),
+        optional("self_term", &NonlocalityOptions::self_term,
+                 "what stands for a point's own cell; default: as the scheme does, else none"),
+        optional("interface", &NonlocalityOptions::interface,
+                 "conductivity of bonds between materials; default: as the scheme does, else length_weighted_harmonic"),
+        optional("boundary_volumes", &NonlocalityOptions::boundary_volumes,
+                 "with how much of its cell a point on a face counts; default: as the scheme does, else whole")};
   }
   bool operator==(const NonlocalityOptions&) const = default;
 };

@@ -83,7 +83,7 @@ class Writer {
 
 std::string write_problem(const Problem& problem) {
   Writer writer;
-  writer.write(problem, "");
+  writer.write(resolved(problem), "");
   return writer.text();
 }
 

@@ -9,16 +9,17 @@ namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-/// A solution of the nonlocal equation takes the horizon of the run that it is compared with.
-double exact_at(ExactSolution solution, const Point& place, double time, double horizon) {
+/// A solution that may take the horizon of the run that it is compared with.
+TemperatureAt exact_for(const ReadStudy& read, double horizon) {
+  const auto& reference = std::get<ExactReference>(read.study.reference);
+  if (!reference.horizon_of_run) return read.exact;
+  ExactSolution solution = reference.solution;
   std::visit(
       [horizon](auto& chosen) {
-        if constexpr (requires { chosen.horizon = horizon; }) {
-          if (chosen.horizon == decltype(chosen.horizon){}) chosen.horizon = horizon;
-        }
+        if constexpr (requires { chosen.horizon = horizon; }) chosen.horizon = horizon;
       },
       solution);
-  return temperature(solution, place, time);
+  return make_temperature(solution);
 }
 
 std::vector<Point> places_on_line(const StudyLine& line) {
@@ -46,9 +47,7 @@ std::vector<Point> asked_places(const ReadStudy& read, const Grid& grid, std::si
 double reference_at(const ReadStudy& read, const Point& place, std::size_t time, double horizon,
                     const Solution* finest) {
   const double moment = read.study.times[time];
-  if (const auto* exact = std::get_if<ExactReference>(&read.study.reference)) {
-    return exact_at(exact->solution, place, moment, horizon);
-  }
+  if (std::holds_alternative<ExactReference>(read.study.reference)) return exact_for(read, horizon)(place, moment);
   if (finest != nullptr) return finest->at(time, place);
   if (!read.table) return no_value;
   const ResultTable::Moment& known = *read.table->find(moment);
@@ -67,12 +66,16 @@ ComparedTemperatures compare(const ReadStudy& read, const Solution& solution, st
   const std::vector<Point> asked = asked_places(read, grid, time);
   const bool own_points = !read.table && !read.study.line;
   ComparedTemperatures compared;
+  const bool is_exact = std::holds_alternative<ExactReference>(read.study.reference);
+  const TemperatureAt exact = is_exact ? exact_for(read, solution.horizon) : TemperatureAt{};
+  const double moment = read.study.times[time];
   for (std::size_t n = 0; n < asked.size(); ++n) {
     if (read.study.where && !contains(*read.study.where, asked[n], 1e-9 * grid.spacing)) continue;
     const double computed = own_points ? solution.temperatures[time][n] : solution.at(time, asked[n]);
     if (std::isnan(computed)) continue;
-    const double reference = read.table ? read.table->find(read.study.times[time])->temperatures[n]
-                                        : reference_at(read, asked[n], time, solution.horizon, finest);
+    const double reference = is_exact     ? exact(asked[n], moment)
+                             : read.table ? read.table->find(moment)->temperatures[n]
+                                          : reference_at(read, asked[n], time, solution.horizon, finest);
     if (std::isnan(reference)) continue;
     compared.places.push_back(asked[n]);
     compared.computed.push_back(computed);

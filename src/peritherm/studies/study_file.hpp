@@ -19,6 +19,7 @@ struct ReadStudy {
   std::vector<Problem> cases;        ///< per variant
   std::vector<StudyRun> runs;        ///< every combination of what is varied, variant by variant
   std::optional<ResultTable> table;  ///< of a reference of the type "results"
+  TemperatureAt exact;               ///< of a reference of the type "exact" whose horizon is its own
 };
 
 /// Reads and checks a study, its case with each variant, and each run. Files it names are looked for beside `file`.

@@ -75,8 +75,19 @@ void check_exact(StudyChecker& checker, const ExactReference& reference) {
   const Grid grid = make_grid(checker.read.cases.front());
   Point middle = grid.origin;
   for (int axis = 0; axis < grid.dimension; ++axis) middle[axis] += 0.5 * grid.length(axis);
+  const bool has_horizon = std::visit(
+      [](const auto& chosen) {
+        return requires { chosen.horizon; };
+      },
+      reference.solution);
+  if (reference.horizon_of_run && !has_horizon) {
+    checker.add("reference.horizon_of_run", "asks for a solution that has a horizon", "Leave it out");
+  }
+  const std::string fault = find_fault(reference.solution, grid.dimension);
+  if (!fault.empty()) return checker.add_fault("reference.solution", fault);
   try {
-    for (const double time : checker.read.study.times) temperature(reference.solution, middle, time);
+    checker.read.exact = make_temperature(reference.solution);
+    for (const double time : checker.read.study.times) checker.read.exact(middle, time);
   } catch (const Error& error) {
     checker.add("reference.solution", error.issues().front().problem, error.issues().front().hint);
   }

@@ -38,8 +38,7 @@ TEST(Read, a_valid_case_becomes_numbers_in_si_units) {
   EXPECT_EQ(problem.nonlocality.kernel, (Kernel{LinearKernel{}, 2}));
   EXPECT_EQ(problem.initial.temperature, Profile("60*(x < 0.05)"));
   EXPECT_EQ(problem.boundaries.at(0).face, Face::y_max);
-  EXPECT_EQ(problem.boundaries.at(0).condition,
-            BoundaryCondition(HeldTemperature{Profile(100.0), Imposed::mirror, {}}));
+  EXPECT_EQ(problem.boundaries.at(0).condition, BoundaryCondition(HeldTemperature{Profile(100.0), {}, {}}));
   EXPECT_EQ(problem.boundaries.at(1).condition, BoundaryCondition(Convection{5.0, Profile(20.0)}));
   EXPECT_EQ(problem.cracks.at(0).points.at(0), (Coordinates{-0.005, -0.00496}));
   EXPECT_EQ(problem.cracks.at(0).tip_speed, 0.002);

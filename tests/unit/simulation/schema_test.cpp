@@ -33,7 +33,8 @@ TEST(Schema, an_option_has_kind_unit_range_default_and_help) {
   EXPECT_NE(text.find("conductivity: number [W/(m K)], must be positive, required\n      thermal conductivity"),
             std::string::npos)
       << text;
-  EXPECT_NE(text.find("calibration: discrete | continuum, default \"discrete\""), std::string::npos);
+  EXPECT_NE(text.find("scheme: peritherm | bobaru_2010 | bobaru_2012 | mei_2021, default \"peritherm\""),
+            std::string::npos);
   EXPECT_NE(text.find("[[body.region]]"), std::string::npos);
   EXPECT_NE(text.find("[materials.NAME]"), std::string::npos);
 }
