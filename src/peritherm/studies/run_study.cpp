@@ -24,8 +24,8 @@ std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t run)
   const bool changed = std::visit(
       [&](auto& options) {
         if constexpr (requires { options.relative_tolerance; }) {
-          options.relative_tolerance = 0.1 * read.study.tolerance;
-          check.how = "relative tolerance " + shortest(0.1 * read.study.tolerance) + " in place of " +
+          options.relative_tolerance = read.study.tolerance / 10.0;
+          check.how = "relative tolerance " + shortest(read.study.tolerance / 10.0) + " in place of " +
                       shortest(read.study.tolerance);
           return true;
         } else if constexpr (requires { options.step; }) {
