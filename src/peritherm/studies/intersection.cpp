@@ -150,6 +150,10 @@ RunQuality judge(const ReadStudy& read, const Solution& solution, double ratio) 
   quality.rms = measure(StudyNorm::rms, compared.computed, compared.reference);
   quality.maximum = measure(StudyNorm::maximum, compared.computed, compared.reference);
   quality.at_place = solution.at(time, place) - reference_at(read, place, time, solution.horizon, nullptr);
+  for (std::size_t n = 0; (read.study.line || solution.grid.dimension == 1) && n < compared.places.size(); ++n) {
+    quality.x.push_back(compared.places[n][0]);
+    quality.differences.push_back(compared.computed[n] - compared.reference[n]);
+  }
   return quality;
 }
 

@@ -35,7 +35,8 @@ struct LocatedCrossing {
 struct RunQuality {
   double horizon = 0.0, horizon_ratio = 0.0;  ///< [m], 1
   double points = 0.0, bonds = 0.0, evaluations = 0.0;
-  double rms = 0.0, maximum = 0.0, at_place = 0.0;                      ///< errors [K]; the last with its sign
+  double rms = 0.0, maximum = 0.0, at_place = 0.0;  ///< errors [K]; the last with its sign
+  std::vector<double> x, differences;               ///< places [m] and computed − reference of a bar, or of the line
   double points_times_ratio() const { return points * horizon_ratio; }  ///< N m, the cost measure of [mei2021]
 };
 
