@@ -1,5 +1,7 @@
 #include "peritherm/studies/study_charts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -50,7 +52,7 @@ void add_triangle(Chart& chart, const Curve& curve, double rate) {
   const std::size_t a = usable[usable.size() - 2], b = usable.back();
   const double x_from = std::min(curve.x[a], curve.x[b]), x_to = std::max(curve.x[a], curve.x[b]);
   const double lower = std::min(curve.y[a], curve.y[b]);
-  chart.slopes.push_back({x_from, x_to, 0.45 * lower, rate, rounded_text(rate, 3)});
+  chart.slopes.push_back({x_from, x_to, 0.45 * lower, rate, fmt::format("{:.2f}", rate)});
 }
 
 Curve level(const std::string& name, double from, double to, double value) {
@@ -120,12 +122,16 @@ Chart error_chart(const ReadStudy& read, const std::vector<const ConvergenceSeri
     Curve curve{series->name, {}, series->errors, CurveStyle::dots_on_line, -1};
     for (const double value : series->parameters) curve.x.push_back(value / unit);
     if (std::isfinite(series->rate)) {
-      curve.name += (curve.name.empty() ? "" : ", ") + std::string("rate ") + rounded_text(series->rate, 3);
+      curve.name += (curve.name.empty() ? "" : ", ") + fmt::format("rate {:.2f}", series->rate);
     }
     chart.curves.push_back(std::move(curve));
   }
   // Rates of a horizon ratio are those of 1/m, which the axis does not show.
-  if (group.front()->axis != "horizon ratio") add_triangle(chart, chart.curves.back(), group.back()->rate);
+  if (group.front()->axis == "horizon ratio") return chart;
+  // Below the lowest curve nothing is in the triangle's way.
+  const auto lowest = std::min_element(
+      group.begin(), group.end(), [](const auto* a, const auto* b) { return a->errors.back() < b->errors.back(); });
+  add_triangle(chart, chart.curves[static_cast<std::size_t>(lowest - group.begin())], (*lowest)->rate);
   return chart;
 }
 
