@@ -101,6 +101,12 @@ class BodyDraw {
     options.partial_volumes = draw_enum<PartialVolumes>();
     // The linear and the quadratic kernel vanish at the edge of the horizon, where the nearest neighbours then stand.
     if (*options.horizon_ratio < 1.05) options.partial_volumes = PartialVolumes::partial_area;
+    // These need the nearest cells within the horizon.
+    if (*options.horizon_ratio < least_ratio(*options.partial_volumes)) {
+      options.partial_volumes = PartialVolumes::half;
+      if (*options.horizon_ratio < 1.05) options.partial_volumes = PartialVolumes::partial_area;
+    }
+    if (request_.kernel.exponent == 2) options.self_term = draw_enum<SelfTerm>();
     options.interface = draw_enum<InterfaceRule>();
   }
 

@@ -92,6 +92,7 @@ void BondTracer::cut_at_walls(const Point& a, const Point& b, std::vector<Piece>
 double BondTracer::conductivity_along(const std::vector<Piece>& pieces, MaterialIndex a, MaterialIndex b) const {
   thread_local std::vector<double> shares;
   double resistance = 0.0;
+  double first = 0.0, last = 0.0;
   for (const Piece& piece : pieces) {
     shares.assign({0.0, 1.0});
     for (const MaterialRegion& region : body_.regions) {
@@ -104,10 +105,13 @@ double BondTracer::conductivity_along(const std::vector<Piece>& pieces, Material
       const MaterialIndex material =
           body_.material_at(between(piece.begin, piece.end, 0.5 * (shares[k] + shares[k + 1])));
       if (material == no_material) return 0.0;
-      resistance += piece.share * length / body_.materials[material].conductivity;
+      last = body_.materials[material].conductivity;
+      if (first == 0.0) first = last;
+      resistance += piece.share * length / last;
     }
   }
   if (body_.interface == InterfaceRule::length_weighted_harmonic) return 1.0 / resistance;
+  if (body_.interface == InterfaceRule::sided_harmonic) return bond_conductivity(body_.interface, first, last);
   return bond_conductivity(body_.interface, body_.materials[a].conductivity, body_.materials[b].conductivity);
 }
 

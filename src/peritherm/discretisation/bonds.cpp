@@ -1,16 +1,45 @@
 #include "peritherm/discretisation/bonds.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "peritherm/discretisation/neighbours.hpp"
 #include "peritherm/geometry/vector.hpp"
 
 namespace peritherm {
+namespace {
 
-Bonds make_bonds(const Points& points, const StencilOptions& options, double calibration, const BondTracer& tracer,
+/// The stencil's conductances by the difference of two points' positions.
+class ConductanceTable {
+ public:
+  ConductanceTable(const Stencil& stencil, double spacing) : spacing_(spacing) {
+    for (const auto& [offset, conductance] : stencil.entries) {
+      by_offset_[offset] = conductance;
+      reach_ = std::max(reach_, std::hypot(offset[0], offset[1], offset[2]));
+    }
+  }
+  /// Length of the longest bond [m].
+  double reach() const { return reach_ * spacing_; }
+  double operator()(const Point& difference) const {
+    GridIndex offset;
+    for (int axis = 0; axis < 3; ++axis) offset[axis] = static_cast<int>(std::lround(difference[axis] / spacing_));
+    const auto found = by_offset_.find(offset);
+    return found == by_offset_.end() ? 0.0 : found->second;
+  }
+
+ private:
+  double spacing_;
+  double reach_ = 0.0;
+  std::map<GridIndex, double> by_offset_;
+};
+
+}  // namespace
+
+Bonds make_bonds(const Points& points, const Stencil& stencil, const BondTracer& tracer,
                  const std::function<std::size_t(std::size_t, std::size_t)>& partner) {
-  const Neighbours pairs = find_neighbours(points, reach(options.partial_volumes, options.horizon, points.spacing));
-  const CellConductance conductance(options, points.spacing, points.dimension);
+  const ConductanceTable conductance(stencil, points.spacing);
+  const Neighbours pairs = find_neighbours(points, conductance.reach());
   const double cell = std::pow(points.spacing, points.dimension);
   Bonds bonds;
   bonds.row_begin.push_back(0);
@@ -18,9 +47,8 @@ Bonds make_bonds(const Points& points, const StencilOptions& options, double cal
   for (std::size_t i = 0; i < points.owned; ++i) {
     for (BondIndex b = pairs.row_begin[i]; b < pairs.row_begin[i + 1]; ++b) {
       const auto j = static_cast<std::size_t>(pairs.points[b]);
-      const double distance = length(difference(points.positions[j], points.positions[i]));
-      const double unit =
-          calibration * conductance(distance) * (points.volumes[i] / cell) * (points.source_volumes[j] / cell);
+      const double unit = conductance(difference(points.positions[j], points.positions[i])) *
+                          (points.volumes[i] / cell) * (points.source_volumes[j] / cell);
       if (unit == 0.0) continue;
       tracer.trace(points.positions[i], points.materials[i], points.positions[j], points.materials[j], path);
       const double full = unit * path.conductivity;

@@ -19,9 +19,9 @@ struct Bonds {
   CutSchedule cuts;                      ///< conductances that change in time
 };
 
-/// Pairs × kernel × materials × cracks. Conductance of a bond: κ(ξ) times the own volume of i and the source volume
-/// of j, scaled by `calibration`.
-Bonds make_bonds(const Points& points, const StencilOptions& options, double calibration, const BondTracer& tracer,
+/// Pairs × stencil × materials × cracks. Conductance of a bond: that of the stencil at their distance along each axis,
+/// times the shares of a cell that the own volume of i and the source volume of j are.
+Bonds make_bonds(const Points& points, const Stencil& stencil, const BondTracer& tracer,
                  const std::function<std::size_t(std::size_t, std::size_t)>& partner);
 
 /// The points of a body and the fictitious points that its mirrored faces need.

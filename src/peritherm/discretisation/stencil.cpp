@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
 
 #include "peritherm/base/error.hpp"
@@ -16,17 +18,67 @@ double power(double base, int exponent) {
   return result;
 }
 
-int square_of(const GridIndex& o) { return o[0] * o[0] + o[1] * o[1] + o[2] * o[2]; }
+/// Conductances of bonds between whole cells of unit conductivity, before calibration. Offsets that differ in signs
+/// and in the order of their axes conduct alike to the last bit.
+class OffsetConductances {
+ public:
+  OffsetConductances(const StencilOptions& options, double spacing, int dimension)
+      : options_(options),
+        ratio_(options.horizon / spacing),
+        spacing_(spacing),
+        dimension_(dimension),
+        cell_(power(spacing, dimension)),
+        amplitude_(micro_conductivity_amplitude(options.kernel, 1.0, options.horizon, dimension)) {}
 
-/// Conductance of every offset by its squared length: equal lengths conduct alike to the last bit.
-std::vector<double> conductances_by_square(const StencilOptions& options, double spacing, int dimension, int limit) {
-  const CellConductance conductance(options, spacing, dimension);
-  std::vector<double> table(static_cast<std::size_t>(limit) * limit * dimension + 1, 0.0);
-  for (std::size_t square = 1; square < table.size(); ++square) {
-    table[square] = conductance(std::sqrt(static_cast<double>(square)) * spacing);
+  struct Parts {
+    double bond = 0.0, self = 0.0;
+  };
+  Parts operator()(GridIndex offset) {
+    for (int& along : offset) along = std::abs(along);
+    std::sort(offset.begin(), offset.end(), std::greater<>());
+    const auto [place, is_new] = known_.try_emplace(offset);
+    if (is_new) place->second = {bond(offset), self(offset)};
+    return place->second;
   }
-  return table;
-}
+
+ private:
+  double bond(const GridIndex& offset) const {
+    if (options_.partial_volumes == PartialVolumes::cell_integrated) {
+      if (covered_volume(offset, ratio_, dimension_) <= least_share) return 0.0;
+      const auto kernel = [this](double distance) { return micro_conductivity(distance, distance); };
+      return integral_over_covered(kernel, offset, ratio_, dimension_) * cell_ * cell_;
+    }
+    const CountedCell counted = count_cell(options_.partial_volumes, offset, ratio_, dimension_);
+    if (counted.share <= 0.0) return 0.0;
+    return micro_conductivity(counted.kernel_distance, distance_to(offset)) * counted.share * cell_ * cell_;
+  }
+
+  double self(const GridIndex& offset) const {
+    if (options_.self_term == SelfTerm::none || offset[0] > 1) return 0.0;
+    const double distance = distance_to(offset);
+    if (options_.self_term == SelfTerm::bobaru_2010) {
+      // ∫ k(0)/|ξ|² (1/2) ξ·∇∇T ξ dV over the own cell, with second differences for the curvature.
+      return offset[1] == 0 ? micro_conductivity(0.0, 1.0) * cell_ * cell_ / (2.0 * dimension_) : 0.0;
+    }
+    return micro_conductivity(0.5 * distance, 0.5 * distance) * cell_ * cell_ / (power(3.0, dimension_) - 1.0);
+  }
+
+  /// κ at distances in spacings.
+  double micro_conductivity(double kernel_distance, double distance) const {
+    return amplitude_ * shape(options_.kernel, kernel_distance / ratio_) /
+           power(distance * spacing_, options_.kernel.exponent);
+  }
+
+  StencilOptions options_;
+  double ratio_;
+  double spacing_;
+  int dimension_;
+  double cell_;
+  double amplitude_;
+  std::map<GridIndex, Parts> known_;
+};
+
+int square_of(const GridIndex& o) { return o[0] * o[0] + o[1] * o[1] + o[2] * o[2]; }
 
 [[noreturn]] void refuse(double horizon, double spacing) {
   throw Error("horizon " + shortest(horizon) + " m reaches no neighbour",
@@ -76,33 +128,22 @@ std::vector<double> cosine_table(int count, int waves) {
 
 }  // namespace
 
-CellConductance::CellConductance(const StencilOptions& options, double spacing, int dimension)
-    : options_(options),
-      amplitude_(micro_conductivity_amplitude(options.kernel, 1.0, options.horizon, dimension)),
-      spacing_(spacing),
-      dimension_(dimension) {}
-
-double CellConductance::operator()(double distance) const {
-  const CoveredCell cell = covered_cell(options_.partial_volumes, distance, options_.horizon, spacing_);
-  if (cell.share <= 0.0) return 0.0;
-  const double micro_conductivity = amplitude_ * shape(options_.kernel, cell.kernel_distance / options_.horizon) /
-                                    power(distance, options_.kernel.exponent);
-  return micro_conductivity * cell.share * power(spacing_, 2 * dimension_);
-}
-
 Stencil make_stencil(const StencilOptions& options, double spacing, int dimension) {
-  const int limit = static_cast<int>(reach(options.partial_volumes, options.horizon, spacing) / spacing + 1e-6);
-  const std::vector<double> conductances = conductances_by_square(options, spacing, dimension, limit);
+  OffsetConductances conductances(options, spacing, dimension);
+  const bool has_self = options.self_term != SelfTerm::none;
+  int limit = static_cast<int>(reach_of(options.partial_volumes, options.horizon / spacing) + 1e-6);
+  if (has_self) limit = std::max(limit, 1);
   const int limit_y = dimension > 1 ? limit : 0;
   const int limit_z = dimension > 2 ? limit : 0;
   Stencil stencil;
   for (int z = -limit_z; z <= limit_z; ++z) {
     for (int y = -limit_y; y <= limit_y; ++y) {
       for (int x = -limit; x <= limit; ++x) {
-        const GridIndex offset{x, y, z};
-        const double value = conductances[square_of(offset)];
-        if (value <= 0.0) continue;
-        stencil.entries.push_back({offset, value});
+        if (x == 0 && y == 0 && z == 0) continue;
+        const auto [bond, self] = conductances({x, y, z});
+        if (bond + self <= 0.0) continue;
+        stencil.entries.push_back({{x, y, z}, bond + self});
+        if (has_self) stencil.self.push_back(self);
         stencil.radius = std::max({stencil.radius, x, y, z});
       }
     }
@@ -111,6 +152,7 @@ Stencil make_stencil(const StencilOptions& options, double spacing, int dimensio
   if (options.calibration == Calibration::discrete) {
     const double factor = 1.0 / effective_conductivity(stencil, spacing, dimension);
     for (StencilEntry& entry : stencil.entries) entry.conductance *= factor;
+    for (double& part : stencil.self) part *= factor;
   }
   return stencil;
 }

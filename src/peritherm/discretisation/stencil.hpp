@@ -33,6 +33,7 @@ struct StencilEntry {
 struct Stencil {
   int radius = 0;  ///< largest offset along any axis
   std::vector<StencilEntry> entries;
+  std::vector<double> self;  ///< what of each entry's conductance stands for the point's own cell; empty if nothing
 };
 
 struct StencilOptions {
@@ -41,19 +42,6 @@ struct StencilOptions {
   PartialVolumes partial_volumes = PartialVolumes::partial_area;
   Calibration calibration = Calibration::discrete;
   SelfTerm self_term = SelfTerm::none;
-};
-
-/// Conductance κ(ξ) V² of bonds between whole cells of unit conductivity, before calibration, by their length [m].
-class CellConductance {
- public:
-  CellConductance(const StencilOptions& options, double spacing, int dimension);
-  double operator()(double distance) const;
-
- private:
-  StencilOptions options_;
-  double amplitude_;
-  double spacing_;
-  int dimension_;
 };
 
 /// Throws Error if the horizon reaches no neighbour.

@@ -192,14 +192,6 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
                                                       Precision precision) {
   const Body& body = geometry.body;
   const Points points = make_points(body, layout);
-  const StencilOptions& options = geometry.stencil_options;
-  StencilOptions plain = options;
-  plain.calibration = Calibration::continuum;
-  const double calibration =
-      options.calibration == Calibration::continuum
-          ? 1.0
-          : 1.0 / effective_conductivity(make_stencil(plain, body.grid.spacing, body.grid.dimension), body.grid.spacing,
-                                         body.grid.dimension);
   std::map<std::int64_t, std::size_t> number_of;
   const bool partly_held =
       std::any_of(body.walls.begin(), body.walls.end(), [](const FaceWalls& wall) { return wall.partly_held; });
@@ -220,7 +212,7 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
   }
   std::vector<std::int64_t> owned(points.entries.begin(),
                                   points.entries.begin() + static_cast<std::ptrdiff_t>(points.owned));
-  return make_bond_operator(make_bonds(points, options, calibration, BondTracer(body), partner), std::move(owned),
+  return make_bond_operator(make_bonds(points, geometry.stencil, BondTracer(body), partner), std::move(owned),
                             std::move(inverse_capacities), layout.size(), precision);
 }
 
@@ -245,8 +237,8 @@ double spectral_bound(const Geometry& geometry) {
     conductivity = std::max(conductivity, body.materials[m].conductivity);
     capacity = std::min(capacity, volumetric_heat_capacity(body.materials[m]));
   }
-  // A path of resistors in series may pass a better conductor that holds neither of its ends.
-  if (body.interface == InterfaceRule::length_weighted_harmonic) {
+  // What lies along a bond may conduct better than what its ends are of.
+  if (body.interface == InterfaceRule::length_weighted_harmonic || body.interface == InterfaceRule::sided_harmonic) {
     conductivity = std::max(conductivity, body.materials[body.background].conductivity);
     for (const MaterialRegion& region : body.regions) {
       if (region.material != no_material) {

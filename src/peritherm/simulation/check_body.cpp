@@ -175,6 +175,25 @@ void check_material_name(Checker& checker, const std::string& key, const std::st
   checker.add(key, "material '" + name + "' does not exist", hint);
 }
 
+/// Does the horizon suffice for the rule of partial volumes, and the kernel for the self term?
+bool check_quadrature(Checker& checker, const std::string& key, const std::string& name) {
+  const Problem& problem = checker.problem;
+  const PartialVolumes rule = *problem.nonlocality.partial_volumes;
+  const double spacing = checker.grid->spacing;
+  const double least = least_ratio(rule);
+  if (horizon_of(problem) < least * spacing * (1.0 - 1e-9)) {
+    const std::string smallest = problem.nonlocality.horizon ? length_text(least * spacing) : rounded(least);
+    checker.add(key, name + " is too small for partial_volumes = \"" + std::string(name_of(rule)) + '"',
+                "Choose at least " + smallest + ", or other partial_volumes");
+    return false;
+  }
+  const SelfTerm self = *problem.nonlocality.self_term;
+  if (self == SelfTerm::none || problem.nonlocality.kernel.exponent == 2) return true;
+  checker.add("nonlocality.self_term", "\"" + std::string(name_of(self)) + "\" belongs to kernels with exponent 2",
+              "Choose self_term = \"none\", or exponent = 2");
+  return false;
+}
+
 }  // namespace
 
 void check_body(Checker& checker) {
@@ -251,6 +270,7 @@ void check_horizon(Checker& checker) {
         key, name + " is too large for the body, whose shortest side has " + std::to_string(fewest) + " cells",
         "Choose at most " + largest);
   }
+  if (!check_quadrature(checker, key, name)) return;
   try {
     make_stencil(stencil_options_of(checker.problem), grid.spacing, grid.dimension);
   } catch (const Error& error) {

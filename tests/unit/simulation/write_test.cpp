@@ -49,10 +49,11 @@ Problem any_problem() {
   problem.body.material = "a material with blanks";
   problem.materials["a material with blanks"] = {positive_number(), positive_number(), positive_number()};
   problem.materials["b"] = {positive_number(), positive_number(), positive_number()};
-  problem.nonlocality.horizon_ratio = 1.1 + *rc::gen::inRange(0, 1000) / 77.0;
+  problem.nonlocality.horizon_ratio = 1.5 + *rc::gen::inRange(0, 1000) / 77.0;
   problem.nonlocality.kernel = {any_alternative<KernelForm>(), *rc::gen::inRange(0, 3)};
   problem.nonlocality.calibration = any_value<Calibration>();
   problem.nonlocality.partial_volumes = any_value<PartialVolumes>();
+  if (problem.nonlocality.kernel.exponent == 2) problem.nonlocality.self_term = any_value<SelfTerm>();
   problem.nonlocality.interface = any_value<InterfaceRule>();
   problem.initial.temperature = any_profile();
   problem.time = {positive_number(), any_alternative<TimeStepping>()};
