@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "peritherm/simulation/write.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "study_report.hpp"
 #include "text.hpp"
 
 namespace peritherm::app {
@@ -34,6 +36,8 @@ struct Arguments {
   bool quiet = false;
   bool overwrite = false;
   bool markdown = false;
+  bool study = false;  ///< the schema of a study file
+  bool rerun = false;  ///< runs of a study that are finished are run again
 };
 
 std::vector<std::string> all_overrides(const Arguments& arguments) {
@@ -42,12 +46,13 @@ std::vector<std::string> all_overrides(const Arguments& arguments) {
   return overrides;
 }
 
-/// results/NAME, after the file, or after its folder if the file is called case.toml like most.
+/// results/NAME, after the file, or after its folder if the file is called case.toml or study.toml like most.
 std::filesystem::path result_folder(const Arguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
   const std::filesystem::path file = std::filesystem::absolute(arguments.case_file).lexically_normal();
   const std::filesystem::path folder_name = file.parent_path().filename();
-  const bool named_by_folder = file.filename() == "case.toml" && !folder_name.empty();
+  const bool usual_name = file.filename() == "case.toml" || file.filename() == "study.toml";
+  const bool named_by_folder = usual_name && !folder_name.empty();
   return std::filesystem::path("results") / (named_by_folder ? folder_name : file.stem());
 }
 
@@ -95,7 +100,40 @@ int check_case(const Arguments& arguments) {
   return end_of_page();
 }
 
+int study_cases(const Arguments& arguments) {
+  const ReadStudy read = read_study_file(arguments.case_file, arguments.overrides);
+  const bool quiet = arguments.quiet;
+  StudyDisplay display(std::cout, display_style(quiet));
+  if (!quiet) std::cout << study_heading(read) << std::flush;
+
+  StudySettings settings;
+  settings.folder = result_folder(arguments);
+  settings.overwrite = arguments.overwrite;
+  settings.pool.threads = std::max(arguments.threads, 0);
+  settings.pool.rerun = arguments.rerun;
+  settings.pool.on_progress = [&display](const StudyProgress& progress) { display.show(progress); };
+  settings.pool.stop_requested = [] { return interrupt() != 0; };
+
+  watch_interrupts();
+  StudySummary summary;
+  try {
+    summary = run_study(read, settings);
+  } catch (...) {
+    display.close();
+    throw;
+  }
+  display.close();
+  if (!quiet) std::cout << study_text(read, summary, settings.folder) << std::flush;
+  for (const std::string& failure : summary.failures) std::cerr << "error: " << failure << '\n';
+  if (summary.status == "stopped") return exit_signal_base + interrupt();
+  return summary.failures.empty() ? exit_done : static_cast<int>(summary.fault);
+}
+
 int print_schema(const Arguments& arguments) {
+  if (arguments.study) {
+    std::cout << (arguments.markdown ? describe_study_file_in_markdown() : describe_study_file());
+    return end_of_page();
+  }
   std::cout << (arguments.markdown ? describe_case_file_in_markdown() : describe_case_file());
   return end_of_page();
 }
@@ -110,6 +148,26 @@ void add_case_options(CLI::App& verb, Arguments& arguments) {
       ->type_name("KEY=VALUE");
 }
 
+void add_result_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("--output", arguments.output, "folder of the results; default: results/NAME")->type_name("DIR");
+  verb.add_flag("--quiet", arguments.quiet, "prints nothing but errors");
+  verb.add_flag("--overwrite", arguments.overwrite, "replaces results that are there already");
+}
+
+CLI::App* add_study_verb(CLI::App& program, Arguments& arguments) {
+  CLI::App* verb = program.add_subcommand("study", "runs a case many times: convergence, with rates and pictures");
+  verb->add_option("study", arguments.case_file, "the study file (TOML)")->required()->type_name("STUDY");
+  verb->add_option("--threads", arguments.threads, "number of threads; 0: one per core")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  verb->add_option("--set", arguments.overrides, "overrides a key of the study, e.g. vary.horizon_ratio=[2,4]")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  add_result_options(*verb, arguments);
+  verb->add_flag("--rerun", arguments.rerun, "makes runs again that are finished");
+  return verb;
+}
+
 int dispatch(int argc, char** argv) {
   Arguments arguments;
   CLI::App program{"Peritherm: transient heat conduction with peridynamics", "peritherm"};
@@ -118,13 +176,13 @@ int dispatch(int argc, char** argv) {
 
   CLI::App* run_verb = program.add_subcommand("run", "runs a case and writes its results");
   add_case_options(*run_verb, arguments);
-  run_verb->add_option("--output", arguments.output, "folder of the results; default: results/NAME")->type_name("DIR");
-  run_verb->add_flag("--quiet", arguments.quiet, "prints nothing but errors");
-  run_verb->add_flag("--overwrite", arguments.overwrite, "replaces results that are there already");
+  add_result_options(*run_verb, arguments);
+  CLI::App* study_verb = add_study_verb(program, arguments);
   CLI::App* check_verb =
       program.add_subcommand("check", "reads and checks a case; prints its sizes and costs; runs nothing");
   add_case_options(*check_verb, arguments);
   CLI::App* schema_verb = program.add_subcommand("schema", "prints the reference of every key of a case file");
+  schema_verb->add_flag("--study", arguments.study, "of a study file instead");
   schema_verb->add_flag("--markdown", arguments.markdown, "as a Markdown page");
 
   try {
@@ -135,6 +193,7 @@ int dispatch(int argc, char** argv) {
     return exit_input;
   }
   if (run_verb->parsed()) return run_case(arguments);
+  if (study_verb->parsed()) return study_cases(arguments);
   if (check_verb->parsed()) return check_case(arguments);
   return print_schema(arguments);
 }

@@ -14,7 +14,7 @@ foreach(room IN LISTS PERITHERM_ROOMS)
 endforeach()
 # The longest room in two, so that two cores share it: what reads and describes a case, and what runs it.
 file(GLOB input_sources ${PROJECT_SOURCE_DIR}/src/peritherm/simulation/*.cpp)
-list(FILTER input_sources INCLUDE REGEX "/(check|read|schema|write|toml|overrides|locations)[^/]*\\.cpp$")
+list(FILTER input_sources INCLUDE REGEX "/(check|document|read|schema|write|toml|overrides|locations)[^/]*\\.cpp$")
 set_source_files_properties(${input_sources} PROPERTIES UNITY_GROUP simulation_input)
 
 # This one compiles what toml++ merely declares everywhere else.

@@ -201,13 +201,15 @@ Prepared prepare(const Problem& given) {
   const Grid grid = make_grid(problem);
   // Whatever the backend, and before the choice makes anything as large as the grid.
   refuse_if_too_large(memory_of_run(problem), grid);
-  Prepared prepared{problem, {}, set_threads(problem)};
+  Prepared prepared{problem, {}, set_threads(problem), 0.0, 0.0};
   const Stencil stencil = make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension);
   const double evaluations = evaluations_for(problem, problem.time.integrator,
                                              expected_fastest_rate(problem, grid, stencil), grid.spacing, grid.size());
   prepared.choice = choose_backend(problem, stencil, prepared.threads, evaluations);
   prepared.problem.numerics.backend = prepared.choice.backend;
-  refuse_if_too_large(memory_estimate(prepared.problem, prepared.choice.backend, prepared.threads), grid);
+  prepared.bytes = memory_estimate(prepared.problem, prepared.choice.backend, prepared.threads);
+  prepared.duration = evaluations * prepared.choice.evaluation_seconds;
+  refuse_if_too_large(prepared.bytes, grid);
   return prepared;
 }
 

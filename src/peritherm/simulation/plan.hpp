@@ -11,6 +11,8 @@ struct Prepared {
   Problem problem;  ///< numerics.backend is never automatic
   BackendChoice choice;
   int threads = 1;
+  double bytes = 0.0;     ///< memory that the run will take, estimated
+  double duration = 0.0;  ///< estimate [s]
 };
 
 /// Tells OpenMP the number of threads and chooses the backend. Throws Error (Fault::machine) with the figures if the

@@ -1,15 +1,11 @@
 #include "peritherm/simulation/read.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
 #include "peritherm/simulation/checker.hpp"
-#include "peritherm/simulation/overrides.hpp"
+#include "peritherm/simulation/document.hpp"
 #include "peritherm/simulation/reader.hpp"
 
 namespace peritherm {
+<<<<<<< HEAD
 namespace {
 
 toml::table parse(std::string_view text, const std::string& file) {
@@ -60,20 +56,21 @@ void sort_by_place(std::vector<Issue>& issues) {
 }
 
 }  // namespace
+=======
+>>>>>>> study
 
 ReadCase read_case(std::string_view toml, const std::string& file, const std::vector<std::string>& overrides) {
-  toml::table root = parse(toml, file);
-  if (root.empty() && overrides.empty()) {
-    throw Error({Issue{{file, {}, 1, 1}, "is empty", "Begin with format = 1, [body] and [materials.NAME]"}});
-  }
+  Document document = read_document(toml, file, overrides, "Begin with format = 1, [body] and [materials.NAME]");
   ReadCase result;
-  std::vector<Issue> issues;
-  const std::vector<AppliedOverride> applied = apply_overrides(root, overrides, issues);
-  locate(root, "", file, result.locations);
-  locate_overrides(applied, result.locations);
+  result.locations = std::move(document.locations);
   Reader reader(result.locations);
+<<<<<<< HEAD
   reader.read_table(root, "", result.problem);
   find_files(file, result.problem);
+=======
+  reader.read_table(document.root, "", result.problem);
+  std::vector<Issue> issues = std::move(document.issues);
+>>>>>>> study
   issues.insert(issues.end(), reader.issues().begin(), reader.issues().end());
   std::vector<std::string> broken;
   for (const Issue& issue : reader.issues()) broken.push_back(issue.where.key);
@@ -85,16 +82,7 @@ ReadCase read_case(std::string_view toml, const std::string& file, const std::ve
 }
 
 ReadCase read_case_file(const std::string& path, const std::vector<std::string>& overrides) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Error("'" + path + "' is a folder", "Give the case file in it", Fault::machine);
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error("cannot read '" + path + "'", "Check that the file exists and may be read", Fault::machine);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (file.bad()) throw Error("reading '" + path + "' failed", "Check the disk", Fault::machine);
-  return read_case(text.str(), path, overrides);
+  return read_case(read_text_file(path), path, overrides);
 }
 
 }  // namespace peritherm

@@ -1,0 +1,108 @@
+#include "peritherm/studies/result_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "peritherm/base/error.hpp"
+#include "peritherm/base/text.hpp"
+#include "peritherm/simulation/document.hpp"
+
+namespace peritherm {
+namespace {
+
+constexpr std::array<std::string_view, 3> axis_columns{"x", "y", "z"};
+
+std::vector<std::string> split_line(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, ',');) {
+    std::string_view text = trimmed(cell);
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    cells.emplace_back(text);
+  }
+  return cells;
+}
+
+/// Where each column stands in a line.
+struct TableColumns {
+  std::vector<std::size_t> place;
+  std::size_t time = 0;
+  std::size_t temperature = 0;
+  bool timed = false;
+  std::size_t count = 0;
+};
+
+TableColumns find_columns(const std::vector<std::string>& names, const std::string& path, int dimension) {
+  TableColumns columns;
+  columns.count = names.size();
+  const auto find = [&](std::string_view wanted) {
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    if (found == names.end()) {
+      throw Error("'" + path + "' has no column '" + std::string(wanted) + "'; its first line is '" + join(names) + "'",
+                  "Name the columns x, y, z [m] (as many as the body has axes), t [s] and T");
+    }
+    return static_cast<std::size_t>(found - names.begin());
+  };
+  for (int axis = 0; axis < dimension; ++axis)
+    columns.place.push_back(find(axis_columns[static_cast<std::size_t>(axis)]));
+  columns.temperature = find("T");
+  columns.timed = std::find(names.begin(), names.end(), "t") != names.end();
+  if (columns.timed) columns.time = find("t");
+  return columns;
+}
+
+double table_number(const std::string& text, const std::string& path, int line) {
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw Error("'" + path + "', line " + std::to_string(line) + ": '" + text + "' is no number",
+                "Every line after the first holds numbers only");
+  }
+  return value;
+}
+
+}  // namespace
+
+const ResultTable::Moment* ResultTable::find(double time) const {
+  if (!timed) return moments.empty() ? nullptr : &moments.front();
+  for (const Moment& moment : moments) {
+    if (std::abs(moment.time - time) <= 1e-9 * std::max(std::abs(time), std::abs(moment.time))) return &moment;
+  }
+  return nullptr;
+}
+
+ResultTable read_result_table(const std::string& path, int dimension) {
+  std::istringstream lines(read_text_file(path));
+  std::string line;
+  std::getline(lines, line);
+  const TableColumns columns = find_columns(split_line(line), path, dimension);
+  ResultTable table;
+  table.timed = columns.timed;
+  for (int number = 2; std::getline(lines, line); ++number) {
+    if (trimmed(line).empty()) continue;
+    const std::vector<std::string> cells = split_line(line);
+    if (cells.size() != columns.count) {
+      throw Error("'" + path + "', line " + std::to_string(number) + ": has " + std::to_string(cells.size()) +
+                      " entries, the first line has " + std::to_string(columns.count),
+                  "Give every line one entry per column");
+    }
+    const double time = columns.timed ? table_number(cells[columns.time], path, number) : 0.0;
+    Point place{};
+    for (std::size_t axis = 0; axis < columns.place.size(); ++axis) {
+      place[axis] = table_number(cells[columns.place[axis]], path, number);
+    }
+    auto moment = std::find_if(table.moments.begin(), table.moments.end(),
+                               [time](const ResultTable::Moment& known) { return known.time == time; });
+    if (moment == table.moments.end()) moment = table.moments.insert(moment, {time, {}, {}});
+    moment->places.push_back(place);
+    moment->temperatures.push_back(table_number(cells[columns.temperature], path, number));
+  }
+  if (table.moments.empty()) throw Error("'" + path + "' holds no temperatures", "Give at least one line of numbers");
+  std::sort(table.moments.begin(), table.moments.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  return table;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "peritherm/studies/solve.hpp"
+
+namespace peritherm {
+
+/// What decides the temperatures of a run: this version, the whole problem, and the times. Title, outputs and threads
+/// do not matter.
+std::string run_key(const Problem& problem, std::span<const double> times);
+
+/// Solutions of finished runs, one file each, named after a hash of their key.
+class RunCache {
+ public:
+  explicit RunCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Nothing if the run is not there, or its file is damaged or belongs to another key.
+  std::optional<Solution> find(const std::string& key) const;
+  /// Throws Error (Fault::machine) if it cannot be written.
+  void keep(const std::string& key, const Solution& solution) const;
+  std::filesystem::path file_of(const std::string& key) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace peritherm

@@ -1,0 +1,185 @@
+#include "peritherm/studies/run_pool.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include "peritherm/simulation/memory.hpp"
+#include "peritherm/simulation/plan.hpp"
+
+namespace peritherm {
+namespace {
+
+/// A run that has to be made, and what it will take.
+struct PendingRun {
+  std::size_t number = 0;  ///< in the list of problems
+  std::string key;
+  double bytes = 0.0;
+  double cost = 0.0;  ///< [s] by one thread
+};
+
+class RunPool {
+ public:
+  RunPool(const std::vector<Problem>& problems, const std::vector<double>& times, const RunCache& cache,
+          const PoolSettings& settings)
+      : problems_(problems),
+        times_(times),
+        cache_(cache),
+        settings_(settings),
+        free_threads_(settings.threads > 0 ? settings.threads : omp_get_num_procs()),
+        free_memory_(static_cast<double>(available_memory())),
+        memory_known_(free_memory_ > 0.0),
+        results_(problems.size()) {}
+
+  std::vector<RunResult> go() {
+    collect();
+    tell();
+    std::vector<std::thread> workers;
+    const std::size_t count = std::min<std::size_t>(pending_.size(), static_cast<std::size_t>(free_threads_));
+    for (std::size_t w = 0; w < count; ++w) workers.emplace_back([this] { work(); });
+    for (std::thread& worker : workers) worker.join();
+    for (const auto& [copy, original] : copies_) results_[copy] = results_[original];
+    return std::move(results_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// Finished runs are taken from the cache; of what is left, memory and duration are estimated.
+  void collect() {
+    std::map<std::string, std::size_t> known;
+    for (std::size_t n = 0; n < problems_.size(); ++n) {
+      PendingRun run{n, run_key(problems_[n], times_), 0.0, 0.0};
+      if (const auto [place, added] = known.emplace(run.key, n); !added) {
+        copies_.emplace_back(n, place->second);
+        continue;
+      }
+      if (!settings_.rerun) results_[n].solution = cache_.find(run.key);
+      results_[n].reused = results_[n].solution.has_value();
+      if (!results_[n].reused && estimate(run)) pending_.push_back(std::move(run));
+    }
+    total_ = pending_.size();
+    for (const PendingRun& run : pending_) total_cost_ += run.cost;
+    // The dearest stands first and is taken last, so that an interrupted study keeps many runs.
+    std::stable_sort(pending_.begin(), pending_.end(), [](const auto& a, const auto& b) { return a.cost > b.cost; });
+  }
+
+  /// False if the run cannot be made at all.
+  bool estimate(PendingRun& run) {
+    try {
+      const Prepared prepared = prepare(with_threads(run.number, 1));
+      run.bytes = prepared.bytes;
+      run.cost = prepared.duration + 1e-3;
+      return true;
+    } catch (const Error& error) {
+      fail(run.number, error);
+      return false;
+    }
+  }
+
+  Problem with_threads(std::size_t number, int threads) const {
+    Problem problem = problems_[number];
+    problem.numerics.threads = threads;
+    problem.time.end = times_.back();
+    return problem;
+  }
+
+  void fail(std::size_t number, const Error& error) {
+    results_[number].failure = error.what();
+    results_[number].fault = error.fault();
+  }
+
+  bool stopped() const { return settings_.stop_requested && settings_.stop_requested(); }
+
+  void work() {
+    std::unique_lock lock(mutex_);
+    while (!pending_.empty() && !stopped()) {
+      const auto next = std::find_if(pending_.rbegin(), pending_.rend(), [this](const PendingRun& run) {
+        return running_ == 0 || !memory_known_ || run.bytes <= free_memory_;
+      });
+      if (next == pending_.rend() || free_threads_ == 0) {
+        changed_.wait(lock);
+        continue;
+      }
+      const PendingRun run = *next;
+      pending_.erase(std::next(next).base());
+      const int threads = pending_.empty() ? free_threads_ : 1;
+      ++running_;
+      free_threads_ -= threads;
+      free_memory_ -= run.bytes;
+      lock.unlock();
+      RunResult result = make(run, threads);
+      lock.lock();
+      --running_;
+      free_threads_ += threads;
+      free_memory_ += run.bytes;
+      if (result.solution || !result.failure.empty()) {
+        ++finished_;
+        cost_done_ += run.cost;
+      }
+      results_[run.number] = std::move(result);
+      tell();
+      changed_.notify_all();
+    }
+  }
+
+  RunResult make(const PendingRun& run, int threads) const {
+    RunResult result;
+    try {
+      Solution solution = solve(with_threads(run.number, threads), times_, settings_.stop_requested);
+      // A stopped run has not reached all of its times.
+      if (solution.times.size() < times_.size()) return result;
+      cache_.keep(run.key, solution);
+      result.solution = std::move(solution);
+    } catch (const Error& error) {
+      result.failure = error.what();
+      result.fault = error.fault();
+    } catch (const std::exception& error) {
+      const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+      result.failure = memory ? "the memory of this machine does not suffice" : error.what();
+      result.fault = Fault::machine;
+    }
+    return result;
+  }
+
+  void tell() {
+    if (!settings_.on_progress) return;
+    const double share = total_cost_ > 0.0 ? cost_done_ / total_cost_ : 1.0;
+    settings_.on_progress({finished_, total_, share, std::chrono::duration<double>(Clock::now() - start_).count()});
+  }
+
+  const std::vector<Problem>& problems_;
+  const std::vector<double>& times_;
+  const RunCache& cache_;
+  const PoolSettings& settings_;
+  int free_threads_;
+  double free_memory_;  ///< [B]
+  bool memory_known_;
+  std::vector<RunResult> results_;
+  std::vector<PendingRun> pending_;
+  std::vector<std::pair<std::size_t, std::size_t>> copies_;  ///< numbers of equal problems
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int running_ = 0;
+  std::size_t finished_ = 0, total_ = 0;
+  double total_cost_ = 0.0, cost_done_ = 0.0;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+std::vector<RunResult> solve_all(const std::vector<Problem>& problems, const std::vector<double>& times,
+                                 const RunCache& cache, const PoolSettings& settings) {
+  const int threads_before = omp_get_max_threads();
+  std::vector<RunResult> results = RunPool(problems, times, cache, settings).go();
+  omp_set_num_threads(threads_before);
+  return results;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,182 @@
+#include "peritherm/studies/run_study.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "peritherm/base/text.hpp"
+#include "peritherm/output/labels.hpp"
+#include "peritherm/studies/study_errors.hpp"
+
+namespace peritherm {
+namespace {
+
+/// A run that is made again to see the error of the time integration.
+struct TimeCheck {
+  std::size_t run = 0;
+  Problem problem;
+  std::string how;
+};
+
+/// The same run, more exact in time; nothing if it has no means to be.
+std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t run) {
+  TimeCheck check{run, read.runs[run].problem, {}};
+  const bool changed = std::visit(
+      [&](auto& options) {
+        if constexpr (requires { options.relative_tolerance; }) {
+          options.relative_tolerance = read.study.tolerance / 10.0;
+          check.how = "relative tolerance " + shortest(read.study.tolerance / 10.0) + " in place of " +
+                      shortest(read.study.tolerance);
+          return true;
+        } else if constexpr (requires { options.step; }) {
+          if (options.step) *options.step *= 0.5;
+          if (!options.step) options.safety *= 0.5;
+          check.how = "half the time step";
+          return true;
+        } else {
+          return false;
+        }
+      },
+      check.problem.time.integrator);
+  return changed ? std::optional(std::move(check)) : std::nullopt;
+}
+
+double points_of_run(const StudyRun& run) {
+  double points = 1.0;
+  for (const double length : run.problem.body.size) points *= length / run.spacing;
+  return points;
+}
+
+/// Of each variant the run in the middle, by its number of points: neither the cheapest nor the dearest.
+std::vector<TimeCheck> make_time_checks(const ReadStudy& read) {
+  std::vector<TimeCheck> checks;
+  if (!read.study.vary.time_steps.empty()) return checks;
+  for (std::size_t v = 0; v < read.cases.size(); ++v) {
+    std::vector<std::size_t> runs;
+    for (std::size_t n = 0; n < read.runs.size(); ++n) {
+      if (read.runs[n].variant == v) runs.push_back(n);
+    }
+    if (runs.empty()) continue;
+    std::stable_sort(runs.begin(), runs.end(), [&read](std::size_t a, std::size_t b) {
+      return points_of_run(read.runs[a]) < points_of_run(read.runs[b]);
+    });
+    if (auto check = make_time_check(read, runs[(runs.size() - 1) / 2])) checks.push_back(std::move(*check));
+  }
+  return checks;
+}
+
+/// Runs a list of problems and notes what became of them.
+class StudyRunner {
+ public:
+  StudyRunner(const ReadStudy& read, const StudySettings& settings, StudySummary& summary)
+      : read_(read), settings_(settings), cache_(settings.folder / "runs"), summary_(summary) {}
+
+  void go() {
+    const std::vector<TimeCheck> checks = make_time_checks(read_);
+    std::vector<Problem> problems;
+    for (const StudyRun& run : read_.runs) problems.push_back(run.problem);
+    for (const TimeCheck& check : checks) problems.push_back(check.problem);
+    const std::size_t own = problems.size();
+    const std::size_t per_variant = append_intersections(problems);
+    std::vector<RunResult> results = solve(problems);
+    note_time_errors(checks, results);
+    std::vector<RunResult> coarse(std::make_move_iterator(results.begin() + static_cast<std::ptrdiff_t>(own)),
+                                  std::make_move_iterator(results.end()));
+    results.resize(read_.runs.size());
+    summary_.results = std::move(results);
+    compare_runs(read_, summary_);
+    if (per_variant > 0) intersect(coarse, per_variant);
+  }
+
+  bool stopped() const { return settings_.pool.stop_requested && settings_.pool.stop_requested(); }
+
+ private:
+  std::vector<RunResult> solve(const std::vector<Problem>& problems) {
+    std::vector<RunResult> results = solve_all(problems, read_.study.times, cache_, settings_.pool);
+    for (std::size_t n = 0; n < results.size(); ++n) {
+      ++summary_.runs;
+      summary_.reused += results[n].reused ? 1 : 0;
+      if (results[n].failure.empty()) continue;
+      const std::string name = run_name(read_.study, describe_run(problems[n]));
+      note_failure("the run with " + name + " failed: " + results[n].failure, results[n].fault);
+    }
+    return results;
+  }
+
+  void note_failure(const std::string& text, Fault fault) {
+    if (summary_.failures.empty()) summary_.fault = fault;
+    if (std::find(summary_.failures.begin(), summary_.failures.end(), text) == summary_.failures.end()) {
+      summary_.failures.push_back(text);
+    }
+  }
+
+  std::size_t append_intersections(std::vector<Problem>& problems) const {
+    std::size_t count = 0;
+    for (std::size_t v = 0; read_.study.intersection && v < read_.cases.size(); ++v) {
+      std::vector<Problem> own = intersection_problems(read_, v);
+      count = own.size();
+      problems.insert(problems.end(), own.begin(), own.end());
+    }
+    return count;
+  }
+
+  void note_time_errors(const std::vector<TimeCheck>& checks, const std::vector<RunResult>& results) {
+    for (std::size_t k = 0; k < checks.size(); ++k) {
+      const auto& first = results[checks[k].run].solution;
+      const auto& second = results[read_.runs.size() + k].solution;
+      if (first && second)
+        summary_.time_errors.push_back({checks[k].run, largest_difference(*first, *second), checks[k].how});
+    }
+  }
+
+  /// `per_variant` results for each variant: the six coarse runs, and the single one if there is one.
+  void intersect(const std::vector<RunResult>& results, std::size_t per_variant) {
+    std::vector<Problem> reruns;
+    std::vector<std::size_t> of_result;
+    for (std::size_t v = 0; v < read_.cases.size(); ++v) {
+      const std::span<const RunResult> own(results.data() + v * per_variant, per_variant);
+      std::vector<Solution> coarse;
+      for (std::size_t k = 0; k < 6 && own[k].solution; ++k) coarse.push_back(*own[k].solution);
+      if (coarse.size() < 6) continue;
+      IntersectionResult result = find_crossings(read_, v, coarse);
+      if (per_variant > 6 && own[6].solution) {
+        result.single = judge(read_, *own[6].solution, read_.study.intersection->single->horizon_ratio);
+      }
+      if (!result.chosen.crossing) {
+        note_failure(missing_crossing(read_, result), Fault::numerics);
+      } else if (read_.study.intersection->cells) {
+        reruns.push_back(rerun_problem(read_, v, result.chosen.crossing->ratio));
+        of_result.push_back(summary_.intersections.size());
+      }
+      summary_.intersections.push_back(std::move(result));
+    }
+    if (stopped()) return;
+    const std::vector<RunResult> again = solve(reruns);
+    for (std::size_t k = 0; k < again.size(); ++k) {
+      IntersectionResult& result = summary_.intersections[of_result[k]];
+      if (again[k].solution) result.rerun = judge(read_, *again[k].solution, result.chosen.crossing->ratio);
+    }
+  }
+
+  const ReadStudy& read_;
+  const StudySettings& settings_;
+  RunCache cache_;
+  StudySummary& summary_;
+};
+
+}  // namespace
+
+StudySummary run_study(const ReadStudy& read, const StudySettings& settings) {
+  const auto start = std::chrono::steady_clock::now();
+  prepare_study_folder(read, settings);
+  StudySummary summary;
+  StudyRunner runner(read, settings, summary);
+  runner.go();
+  summary.status = runner.stopped() ? "stopped" : (summary.failures.empty() ? "completed" : "failed");
+  summary.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  write_study(read, settings.folder, summary);
+  draw_study(read, settings.folder, summary);
+  return summary;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,123 @@
+#include "peritherm/studies/study_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace peritherm {
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+/// A solution that may take the horizon of the run that it is compared with.
+TemperatureAt exact_for(const ReadStudy& read, double horizon) {
+  const auto& reference = std::get<ExactReference>(read.study.reference);
+  if (!reference.horizon_of_run) return read.exact;
+  ExactSolution solution = reference.solution;
+  std::visit(
+      [horizon](auto& chosen) {
+        if constexpr (requires { chosen.horizon = horizon; }) chosen.horizon = horizon;
+      },
+      solution);
+  return make_temperature(solution);
+}
+
+std::vector<Point> places_on_line(const StudyLine& line) {
+  const Point from = to_point(line.from), to = to_point(line.to);
+  std::vector<Point> places;
+  for (int n = 0; n < line.places; ++n) {
+    const double share = static_cast<double>(n) / (line.places - 1);
+    Point place{};
+    for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = (1.0 - share) * from[axis] + share * to[axis];
+    places.push_back(place);
+  }
+  return places;
+}
+
+std::vector<Point> asked_places(const ReadStudy& read, const Grid& grid, std::size_t time) {
+  if (read.table) return read.table->find(read.study.times[time])->places;
+  if (read.study.line) return places_on_line(*read.study.line);
+  std::vector<Point> places;
+  for (std::size_t n = 0; n < grid.size(); ++n) places.push_back(grid.position(grid.index(n)));
+  return places;
+}
+
+}  // namespace
+
+double reference_at(const ReadStudy& read, const Point& place, std::size_t time, double horizon,
+                    const Solution* finest) {
+  const double moment = read.study.times[time];
+  if (std::holds_alternative<ExactReference>(read.study.reference)) return exact_for(read, horizon)(place, moment);
+  if (finest != nullptr) return finest->at(time, place);
+  if (!read.table) return no_value;
+  const ResultTable::Moment& known = *read.table->find(moment);
+  for (std::size_t n = 0; n < known.places.size(); ++n) {
+    const Point& other = known.places[n];
+    const double distance = std::hypot(other[0] - place[0], other[1] - place[1], other[2] - place[2]);
+    const double size = std::hypot(place[0], place[1], place[2]);
+    if (distance <= 1e-9 * size) return known.temperatures[n];
+  }
+  return no_value;
+}
+
+ComparedTemperatures compare(const ReadStudy& read, const Solution& solution, std::size_t time,
+                             const Solution* finest) {
+  const Grid& grid = solution.grid;
+  const std::vector<Point> asked = asked_places(read, grid, time);
+  const bool own_points = !read.table && !read.study.line;
+  ComparedTemperatures compared;
+  const bool is_exact = std::holds_alternative<ExactReference>(read.study.reference);
+  const TemperatureAt exact = is_exact ? exact_for(read, solution.horizon) : TemperatureAt{};
+  const double moment = read.study.times[time];
+  for (std::size_t n = 0; n < asked.size(); ++n) {
+    if (read.study.where && !contains(*read.study.where, asked[n], 1e-9 * grid.spacing)) continue;
+    const double computed = own_points ? solution.temperatures[time][n] : solution.at(time, asked[n]);
+    if (std::isnan(computed)) continue;
+    const double reference = is_exact     ? exact(asked[n], moment)
+                             : read.table ? read.table->find(moment)->temperatures[n]
+                                          : reference_at(read, asked[n], time, solution.horizon, finest);
+    if (std::isnan(reference)) continue;
+    compared.places.push_back(asked[n]);
+    compared.computed.push_back(computed);
+    compared.reference.push_back(reference);
+  }
+  return compared;
+}
+
+double measure(StudyNorm norm, std::span<const double> computed, std::span<const double> reference) {
+  double squares = 0.0, relative_squares = 0.0, reference_squares = 0.0, largest = 0.0;
+  const auto count = static_cast<double>(computed.size());
+  for (std::size_t n = 0; n < computed.size(); ++n) {
+    const double difference = computed[n] - reference[n];
+    squares += difference * difference;
+    reference_squares += reference[n] * reference[n];
+    largest = std::max(largest, std::abs(difference));
+    if (difference != 0.0) relative_squares += difference * difference / (reference[n] * reference[n]);
+  }
+  if (computed.empty()) return no_value;
+  switch (norm) {
+    case StudyNorm::relative_l2:
+      return squares == 0.0 ? 0.0 : std::sqrt(squares / reference_squares);
+    case StudyNorm::bobaru_2010:
+      return std::sqrt(relative_squares) / count;
+    case StudyNorm::relative_rms:
+      return std::sqrt(relative_squares / count);
+    case StudyNorm::rms:
+      return std::sqrt(squares / count);
+    default:
+      return largest;
+  }
+}
+
+double largest_difference(const Solution& first, const Solution& second) {
+  double largest = 0.0;
+  for (std::size_t t = 0; t < first.temperatures.size(); ++t) {
+    for (std::size_t n = 0; n < first.temperatures[t].size(); ++n) {
+      const double difference = std::abs(first.temperatures[t][n] - second.temperatures[t][n]);
+      if (difference > largest) largest = difference;
+    }
+  }
+  return largest;
+}
+
+}  // namespace peritherm

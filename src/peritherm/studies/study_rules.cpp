@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <cmath>
+
+#include "peritherm/base/text.hpp"
+#include "peritherm/geometry/coordinates.hpp"
+#include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/checker.hpp"
+#include "peritherm/simulation/locations.hpp"
+#include "peritherm/studies/study_checker.hpp"
+
+namespace peritherm {
+namespace {
+
+bool inside_body(const Grid& grid, const Point& place) {
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const double depth = place[axis] - grid.origin[axis];
+    if (depth < -1e-9 * grid.length(axis) || depth > (1.0 + 1e-9) * grid.length(axis)) return false;
+  }
+  return true;
+}
+
+void check_place(StudyChecker& checker, const std::string& key, const Coordinates& place) {
+  if (!checker.sound(key)) return;
+  const Grid grid = make_grid(checker.read.cases.front());
+  const std::string fault = find_fault("the place", place, grid.dimension);
+  if (!fault.empty()) return checker.add_fault(key, fault);
+  if (!inside_body(grid, to_point(place))) {
+    std::vector<std::string> sizes;
+    for (int axis = 0; axis < grid.dimension; ++axis) {
+      sizes.push_back(shortest(grid.origin[axis]) + " to " + shortest(grid.origin[axis] + grid.length(axis)) + " m");
+    }
+    checker.add(key, "lies outside of the body", "The body reaches from " + join(sizes, ", and from "));
+  }
+}
+
+void check_line(StudyChecker& checker) {
+  const Study& study = checker.read.study;
+  if (!study.line || !checker.sound("line")) return;
+  if (study.where) checker.add("line", "stands beside where", "Keep one of them");
+  check_place(checker, "line.from", study.line->from);
+  check_place(checker, "line.to", study.line->to);
+  if (study.line->from == study.line->to) checker.add("line", "begins where it ends", "Give two different ends");
+}
+
+void check_table(StudyChecker& checker, const ResultsReference& reference) {
+  const std::string key = "reference.file";
+  const Grid grid = make_grid(checker.read.cases.front());
+  try {
+    checker.read.table = read_result_table((checker.folder / reference.file).string(), grid.dimension);
+  } catch (const Error& error) {
+    return checker.add(key, error.issues().front().problem, error.issues().front().hint);
+  }
+  const ResultTable& table = *checker.read.table;
+  for (const ResultTable::Moment& moment : table.moments) {
+    for (const Point& place : moment.places) {
+      if (inside_body(grid, place)) continue;
+      return checker.add(key, "holds a place at x = " + shortest(place[0]) + " m outside of the body",
+                         "Give a file of the same body, in metres");
+    }
+  }
+  if (!table.timed && checker.read.study.times.size() > 1) {
+    return checker.add(key,
+                       "has no column t, but the study has " + count_of(checker.read.study.times.size()) + " in times",
+                       "Add a column t [s], or keep one time");
+  }
+  for (const double time : checker.read.study.times) {
+    if (table.find(time) != nullptr) continue;
+    std::vector<std::string> known;
+    for (const auto& moment : table.moments) known.push_back(shortest(moment.time));
+    checker.add(key, "has nothing for t = " + shortest(time) + " s", "It holds t = " + join(known) + " s");
+  }
+}
+
+void check_exact(StudyChecker& checker, const ExactReference& reference) {
+  const Grid grid = make_grid(checker.read.cases.front());
+  Point middle = grid.origin;
+  for (int axis = 0; axis < grid.dimension; ++axis) middle[axis] += 0.5 * grid.length(axis);
+  const bool has_horizon = std::visit(
+      [](const auto& chosen) {
+        return requires { chosen.horizon; };
+      },
+      reference.solution);
+  if (reference.horizon_of_run && !has_horizon) {
+    checker.add("reference.horizon_of_run", "asks for a solution that has a horizon", "Leave it out");
+  }
+  const std::string fault = find_fault(reference.solution, grid.dimension);
+  if (!fault.empty()) return checker.add_fault("reference.solution", fault);
+  try {
+    checker.read.exact = make_temperature(reference.solution);
+    for (const double time : checker.read.study.times) checker.read.exact(middle, time);
+  } catch (const Error& error) {
+    checker.add("reference.solution", error.issues().front().problem, error.issues().front().hint);
+  }
+}
+
+/// What one run of the product takes from the lists.
+RunChoice choice_of(const StudyAxes& axes, const std::array<int, 4>& entries) {
+  const auto pick = [](const auto& values, int entry) {
+    using Value = typename std::decay_t<decltype(values)>::value_type;
+    return values.empty() || entry < 0 ? std::optional<Value>{}
+                                       : std::optional<Value>{values[static_cast<std::size_t>(entry)]};
+  };
+  return {pick(axes.horizons, entries[0]), pick(axes.horizon_ratios, entries[1]), pick(axes.spacings, entries[2]),
+          pick(axes.cells, entries[2]), pick(axes.time_steps, entries[3])};
+}
+
+/// Key of the study that is to blame for a fault of a run; empty: the case's own.
+std::string blamed_key(const StudyAxes& axes, const std::array<int, 4>& entries, const std::string& key) {
+  const auto named = [&](StudyAxis axis, const std::string& name) {
+    const int entry = entries[static_cast<std::size_t>(axis)];
+    return entry < 0 ? std::string{} : join_path("vary." + name, static_cast<std::size_t>(entry));
+  };
+  const bool about_ratio = keys_touch(key, "nonlocality");
+  const bool about_grid = keys_touch(key, "body.cells") || keys_touch(key, "body.spacing");
+  std::vector<std::string> candidates;
+  if (about_ratio)
+    candidates = {named(StudyAxis::horizon_ratio, "horizon_ratio"), named(StudyAxis::horizon, "horizon")};
+  if (about_grid) candidates = {named(StudyAxis::horizon, "horizon")};
+  if (about_ratio || about_grid) {
+    candidates.push_back(named(StudyAxis::spacing, axes.cells.empty() ? "spacing" : "cells"));
+  }
+  if (about_grid) candidates.push_back(named(StudyAxis::horizon_ratio, "horizon_ratio"));
+  if (keys_touch(key, "time")) candidates = {named(StudyAxis::time_step, "time_step")};
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [](const auto& text) { return !text.empty(); });
+  return found == candidates.end() ? "" : *found;
+}
+
+void add_run_issues(StudyChecker& checker, const std::vector<Issue>& faults, const std::array<int, 4>& entries) {
+  for (Issue issue : faults) {
+    const std::string blamed = blamed_key(checker.read.study.vary, entries, issue.where.key);
+    if (!blamed.empty()) {
+      issue.problem = "makes a case that cannot run: " + issue.where.key + ": " + issue.problem;
+      issue.where = find_location(checker.locations, blamed);
+    }
+    const bool known = std::any_of(checker.issues.begin(), checker.issues.end(),
+                                   [&issue](const Issue& other) { return to_string(other) == to_string(issue); });
+    if (!known) checker.issues.push_back(std::move(issue));
+  }
+}
+
+void make_run(StudyChecker& checker, std::size_t variant, const std::array<int, 4>& entries) {
+  const Study& study = checker.read.study;
+  Problem problem =
+      apply_choice(checker.read.cases[variant], choice_of(study.vary, entries), study.tolerance, study.times.back());
+  const std::vector<Issue> faults = find_faults(problem, checker.case_locations[variant]);
+  if (!faults.empty()) return add_run_issues(checker, faults, entries);
+  StudyRun run = describe_run(std::move(problem));
+  run.variant = variant;
+  run.entries = entries;
+  checker.read.runs.push_back(std::move(run));
+}
+
+/// Calls visit(entries) for every combination, the last axis fastest.
+template <class Visit>
+void for_each_combination(const StudyAxes& axes, const Visit& visit) {
+  std::array<int, 4> entries{}, counts{};
+  for (std::size_t a = 0; a < 4; ++a) {
+    counts[a] = static_cast<int>(count_values(axes, study_axes[a]));
+    entries[a] = counts[a] == 0 ? -1 : 0;
+  }
+  while (true) {
+    visit(entries);
+    std::size_t axis = 4;
+    while (axis > 0) {
+      --axis;
+      if (counts[axis] == 0) continue;
+      if (++entries[axis] < counts[axis]) break;
+      entries[axis] = 0;
+      if (axis == 0) return;
+    }
+    if (std::all_of(entries.begin(), entries.end(), [](int entry) { return entry <= 0; })) return;
+  }
+}
+
+bool takes_steps(StudyChecker& checker) {
+  const StudyAxes& axes = checker.read.study.vary;
+  if (axes.time_steps.empty()) return true;
+  for (std::size_t v = 0; v < checker.read.cases.size(); ++v) {
+    if (takes_a_step(checker.read.cases[v].time.integrator)) continue;
+    const std::string_view name =
+        std::visit([](const auto& options) { return options.name; }, checker.read.cases[v].time.integrator);
+    checker.add("vary.time_step", "the case's integrator '" + std::string(name) + "' has no fixed step",
+                "Choose euler or rk4, for instance by set = [\"time.integrator=rk4\"]");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void check_study_places(StudyChecker& checker) {
+  if (!checker.has_case()) return;
+  const Study& study = checker.read.study;
+  const int dimension = make_grid(checker.read.cases.front()).dimension;
+  if (study.where && checker.sound("where")) checker.add_fault("where", find_fault(*study.where, dimension));
+  check_line(checker);
+  for (std::size_t i = 0; i < study.probes.size(); ++i) {
+    check_place(checker, join_path("probe", i) + ".at", study.probes[i].at);
+  }
+}
+
+void check_study_reference(StudyChecker& checker) {
+  if (!checker.has_case() || !checker.sound("reference")) return;
+  const StudyReference& reference = checker.read.study.reference;
+  if (const auto* results = std::get_if<ResultsReference>(&reference)) check_table(checker, *results);
+  if (const auto* exact = std::get_if<ExactReference>(&reference)) check_exact(checker, *exact);
+  if (std::holds_alternative<ResultsReference>(reference) && checker.read.study.line) {
+    checker.add("line", "stands beside a table of results, at whose places errors are taken", "Leave it out");
+  }
+}
+
+void check_intersection(StudyChecker& checker) {
+  const auto& intersection = checker.read.study.intersection;
+  if (!intersection || !checker.sound("intersection")) return;
+  const auto check_count = [&checker](const std::string& key, const std::vector<double>& values, std::size_t wanted) {
+    if (values.size() != wanted) {
+      checker.add(key, "has " + count_of(values.size()), "Give " + std::to_string(wanted) + " different ones");
+    } else if (std::vector sorted = values; std::sort(sorted.begin(), sorted.end()),
+                                            std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+      checker.add(key, "holds a value twice", "Give " + std::to_string(wanted) + " different ones");
+    }
+  };
+  check_count("intersection.horizon", intersection->horizons, 2);
+  check_count("intersection.horizon_ratio", intersection->horizon_ratios, 3);
+  if (checker.has_case()) check_place(checker, "intersection.at", intersection->at);
+  if (checker.sound("reference") && std::holds_alternative<FinestReference>(checker.read.study.reference)) {
+    checker.add("intersection", "asks for a reference that does not come from the runs themselves",
+                "Choose reference = { type = \"exact\", … } or { type = \"results\", … }");
+  }
+}
+
+void make_study_runs(StudyChecker& checker) {
+  const Study& study = checker.read.study;
+  if (!checker.has_case() || !checker.sound("vary") || !checker.sound("times") || study.times.empty()) return;
+  if (!takes_steps(checker)) return;
+  const StudyAxes& axes = study.vary;
+  if (!axes.horizons.empty() && !axes.horizon_ratios.empty() && count_values(axes, StudyAxis::spacing) > 0) return;
+  if (axes == StudyAxes{}) return;
+  for (std::size_t v = 0; v < checker.read.cases.size(); ++v) {
+    for_each_combination(axes, [&checker, v](const std::array<int, 4>& entries) { make_run(checker, v, entries); });
+  }
+}
+
+}  // namespace peritherm
