@@ -49,6 +49,7 @@ class BrokenBonds {
   std::span<const std::int64_t> points() const { return points_; }
   /// Directed bonds that break.
   std::size_t size() const { return times_.size(); }
+  std::size_t bytes() const { return points_.size() * 16 + bonds_.size() * 12; }
   /// How many different times after `from` and before `to` a bond breaks at.
   std::size_t count_times(double from, double to) const;
 

@@ -106,9 +106,8 @@ void refuse_fine_tolerance(const ImplicitOptions& options, ThermalSystem& system
 
 void refuse_changes(ThermalSystem& system, double from, double end) {
   if (system.fit_loads(from, end, 0, 1.0)) return;
-  throw Error(
-      "time.integrator: chebyshev needs a body that does not change in time, and cracks cut bonds before time.end",
-      "Choose \"auto\" or \"rkl2\"");
+  throw Error("time.integrator: chebyshev needs a body that does not change in time, and bonds are cut before time.end",
+              "Choose \"auto\" or \"rkl2\"");
 }
 
 void refuse_one_sided(const TimeStepping& options, const ThermalSystem& system) {

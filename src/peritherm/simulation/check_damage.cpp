@@ -121,6 +121,9 @@ void check_damage(Checker& checker) {
                        damage.table ? "has both displacement and table" : "has neither displacement nor table",
                        damage.table ? "Leave one of them out" : "Give one of them");
   }
+  if (damage.table && damage.every) {
+    checker.add("damage.every", "is for expressions; a table has times of its own", "Leave it out");
+  }
   if (damage.displacement) {
     check_displacement(checker, damage);
   } else if (checker.sound("damage.table")) {

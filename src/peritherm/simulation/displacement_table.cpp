@@ -62,7 +62,7 @@ void DisplacementTable::add_fault(std::string problem, std::string hint) {
 
 void DisplacementTable::open() {
   std::error_code ignored;
-  if (!std::filesystem::is_directory(path_, ignored)) in_.open(path_, std::ios::binary);
+  if (std::filesystem::is_regular_file(path_, ignored)) in_.open(path_, std::ios::binary);
   if (!in_.is_open()) {
     return add_fault("cannot read '" + path_ + "'",
                      "Check that the file exists and may be read; its name is relative to the case file");

@@ -93,6 +93,11 @@ TEST(DamageInput, what_is_missing_or_too_much_is_named) {
   only("displacement = [\"t*x\", 0]", "damage: displacement depends on t, and every is missing. Say how often");
   only("displacement = [\"t*x\", 0]\nevery = \"1 ns\"", "damage.every: makes more than 1e6 looks");
   only("displacement = [\"1 K\", 0]", "damage.displacement.0: unit 'K' does not measure this quantity");
+  const TableFile file("t,x,y,ux,uy\n");
+  const auto both = issues_of(with_damage("critical_elongation = 0.1\nevery = 1\ntable = \"" + file.path() + "\""));
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0].where.key, "damage.every") << to_string(both[0]);
+  only("table = \"/dev/zero\"", "cannot read '/dev/zero'");
   only("table = \"none.csv\"", "none.csv'. Check that the file exists and may be read; its name is relative to");
   const auto missing = issues_of(with_damage("displacement = [0, 0]"));
   ASSERT_EQ(missing.size(), 1U);
