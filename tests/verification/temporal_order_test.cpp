@@ -31,6 +31,20 @@ Problem cracking_plate() {
   return problem;
 }
 
+/// A plate that is stretched until most of its bonds have broken, at times that differ from place to place.
+Problem breaking_plate() {
+  Problem problem = unit_body(2, 8, 3.0);
+  problem.initial.temperature = Profile("y");
+  set_face(problem, Face::y_min, held_at(0.0));
+  set_face(problem, Face::y_max, held_at(1.0));
+  DamageOptions& damage = problem.damage.emplace();
+  damage.critical_elongation = 0.1;
+  damage.transmission = 0.1;
+  damage.displacement = {Profile("0.3*x*x*t"), Profile("3*t*y*(1 + x + 0.3*sin(7*x + 9*y))")};
+  damage.every = 0.01;
+  return problem;
+}
+
 std::vector<double> solve(Problem problem, const TimeStepping& integrator, double end) {
   problem.time.integrator = integrator;
   March run(std::move(problem));
@@ -88,6 +102,20 @@ TEST(TemporalOrder, growing_cracks_leave_fixed_steps_at_second_order) {
     errors.push_back(largest_difference(solve(problem, RungeKutta4{end / count, 0.9}, end), reference));
   }
   // Cuts fall differently into the steps of every refinement, so the order is at least two on the whole only.
+  EXPECT_GT(order_of_convergence(steps, errors), 1.8);
+}
+
+TEST(TemporalOrder, bonds_that_break_leave_fixed_steps_at_second_order) {
+  const Problem problem = breaking_plate();
+  const double end = 0.1;
+  const std::vector<double> reference = solve(problem, RungeKutta4{end / 20000, 0.9}, end);
+  std::vector<double> steps;
+  std::vector<double> errors;
+  for (const int count : {25, 50, 100, 200}) {
+    steps.push_back(end / count);
+    errors.push_back(largest_difference(solve(problem, RungeKutta4{end / count, 0.9}, end), reference));
+  }
+  // As for cracks.
   EXPECT_GT(order_of_convergence(steps, errors), 1.8);
 }
 

@@ -93,13 +93,21 @@ MaterialIndex Body::material_of_extended(const GridIndex& p) const {
   return material_of[grid.number(fold(p))];
 }
 
+double Body::volume_share(const GridIndex& p) const {
+  return boundary_volumes == BoundaryVolumes::partial ? grid.volume_share(p) : grid.volume_share(p) / open_share(p);
+}
+
 double Body::source_share(const GridIndex& p) const {
+  return boundary_volumes == BoundaryVolumes::partial ? open_share(fold(p)) : 1.0;
+}
+
+/// 1/2 for each open face that a point stands on.
+double Body::open_share(const GridIndex& p) const {
   double share = 1.0;
   if (grid.placement == PointPlacement::centres) return share;
-  const GridIndex inside = fold(p);
   for (int axis = 0; axis < grid.dimension; ++axis) {
-    if (inside[axis] == 0 && walls[2 * axis].open) share *= 0.5;
-    if (inside[axis] == grid.cells[axis] && walls[2 * axis + 1].open) share *= 0.5;
+    if (p[axis] == 0 && walls[2 * axis].open) share *= 0.5;
+    if (p[axis] == grid.cells[axis] && walls[2 * axis + 1].open) share *= 0.5;
   }
   return share;
 }

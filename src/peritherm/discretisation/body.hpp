@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "peritherm/discretisation/broken_bonds.hpp"
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/geometry/crack.hpp"
 #include "peritherm/geometry/region.hpp"
@@ -42,7 +43,9 @@ struct Body {
   std::vector<MaterialRegion> regions;     ///< later ones overwrite
   std::vector<MaterialIndex> material_of;  ///< per point, x fastest; no_material where cut away
   InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
+  BoundaryVolumes boundary_volumes = BoundaryVolumes::partial;
   std::vector<CrackSurface> cracks;
+  BrokenBonds broken;  ///< by elongation
   std::array<FaceWalls, 6> walls;
   std::vector<WallKind> wall_kinds;  ///< per boundary index
 
@@ -65,11 +68,14 @@ struct Body {
 
   /// Material of a point or of the point it mirrors; no_material beyond open faces.
   MaterialIndex material_of_extended(const GridIndex& p) const;
+  /// Share of a cell that belongs to a point: halves on faces, but for open ones with whole boundary volumes.
+  double volume_share(const GridIndex& p) const;
   /// Share of a cell with which a point counts as a neighbour: halves only on open faces, since mirrors complete
-  /// the cells of all others.
+  /// the cells of all others; none with whole boundary volumes.
   double source_share(const GridIndex& p) const;
 
  private:
+  double open_share(const GridIndex& p) const;
   void assign_materials(const PointBlock& block);
 };
 

@@ -117,6 +117,18 @@ double BondTracer::conductivity_along(const std::vector<Piece>& pieces, Material
 
 void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
                        BondPath& path) const {
+  trace_cracks(nearby, a, material_a, b, material_b, path);
+  if (path.conductivity != 0.0) {
+    const auto time = body_.broken.time_of(a, b);
+    if (time) path.crossings.push_back({std::max(*time, 0.0), body_.broken.transmission(), *time > 0.0, true});
+  }
+  if (path.crossings.size() < 2) return;
+  std::stable_sort(path.crossings.begin(), path.crossings.end(),
+                   [](const Crossing& first, const Crossing& second) { return first.time < second.time; });
+}
+
+void BondTracer::trace_cracks(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b,
+                              MaterialIndex material_b, BondPath& path) const {
   path.crossings.clear();
   path.conductivity = 0.0;
   if (material_a == no_material || material_b == no_material) return;
@@ -143,17 +155,14 @@ void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex materi
     if (!uniform_) path.conductivity = conductivity_along(pieces, material_a, material_b);
     for (const Piece& piece : pieces) append_crossings_of(nearby, piece.begin, piece.end, path);
   }
-  if (path.crossings.size() < 2) return;
-  std::stable_sort(path.crossings.begin(), path.crossings.end(),
-                   [](const Crossing& first, const Crossing& second) { return first.time < second.time; });
 }
 
 double standing_share(const BondPath& path) {
-  double share = 1.0;
+  RemainingShare share;
   for (const Crossing& crossing : path.crossings) {
-    if (!crossing.in_time) share *= crossing.transmission;
+    if (!crossing.in_time) share.pass(crossing);
   }
-  return share;
+  return share.value();
 }
 
 }  // namespace peritherm

@@ -1,22 +1,36 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "peritherm/discretisation/body.hpp"
 
 namespace peritherm {
 
-/// A crack that passes a bond.
+/// A crack that passes a bond, or the elongation that breaks it.
 struct Crossing {
-  double time;          ///< when the crack has passed [s]
-  double transmission;  ///< share of its conductance that the bond keeps
-  bool in_time;         ///< false: there from the start
+  double time;                 ///< when the crack has passed [s]
+  double transmission;         ///< share of its conductance that the bond keeps
+  bool in_time;                ///< false: there from the start
+  bool by_elongation = false;  ///< not a crack
 };
 
 /// What lies along a bond.
 struct BondPath {
   double conductivity = 0.0;        ///< without cracks [W/(m K)]; 0 if the bond leaves the body
-  std::vector<Crossing> crossings;  ///< at most one per crack and mirror image, earliest first
+  std::vector<Crossing> crossings;  ///< at most one per crack and mirror image, and one by elongation; earliest first
+};
+
+/// What a bond keeps of its conductance: the product of the transmissions of the cracks that have passed it, or that of
+/// its elongation if this is less. Displacements that open a crack break the bonds which it has cut already, and one
+/// gap must not count twice.
+class RemainingShare {
+ public:
+  void pass(const Crossing& crossing) { (crossing.by_elongation ? broken_ : cracks_) *= crossing.transmission; }
+  double value() const { return std::min(cracks_, broken_); }
+
+ private:
+  double cracks_ = 1.0, broken_ = 1.0;
 };
 
 /// The cracks that reach into some part of the body, and with which of their parts.
@@ -29,7 +43,8 @@ struct NearbyCracks {
   bool empty() const { return cracks.empty(); }
 };
 
-/// Follows bonds through materials and cracks. Beyond mirrored faces the body goes on as its mirror image.
+/// Follows bonds through materials and cracks, and knows which break. Beyond mirrored faces the body goes on as its
+/// mirror image.
 class BondTracer {
  public:
   explicit BondTracer(const Body& body);
@@ -51,6 +66,8 @@ class BondTracer {
     Point begin, end;
     double share;  ///< of the bond's length
   };
+  void trace_cracks(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
+                    BondPath& path) const;
   Point fold(const Point& x, const Point& within) const;
   Point off_cracks(const NearbyCracks& nearby, const Point& x) const;
   bool is_inside(const Point& x) const;
@@ -64,7 +81,7 @@ class BondTracer {
   NearbyCracks all_;
 };
 
-/// Share of its conductance that the cracks there from the start leave to a bond: the product of their transmissions.
+/// Share of its conductance that the cracks there from the start, and elongation at the start, leave to a bond.
 double standing_share(const BondPath& path);
 
 }  // namespace peritherm

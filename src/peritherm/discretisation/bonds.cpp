@@ -14,24 +14,30 @@ namespace {
 class ConductanceTable {
  public:
   ConductanceTable(const Stencil& stencil, double spacing) : spacing_(spacing) {
-    for (const auto& [offset, conductance] : stencil.entries) {
-      by_offset_[offset] = conductance;
+    for (std::size_t k = 0; k < stencil.entries.size(); ++k) {
+      const auto& [offset, conductance] = stencil.entries[k];
+      const double self = stencil.self.empty() ? 0.0 : stencil.self[k];
+      by_offset_[offset] = {conductance - self, self};
       reach_ = std::max(reach_, std::hypot(offset[0], offset[1], offset[2]));
     }
   }
   /// Length of the longest bond [m].
   double reach() const { return reach_ * spacing_; }
-  double operator()(const Point& difference) const {
+  struct Parts {
+    double bond = 0.0;
+    double self = 0.0;  ///< stands for the own cell of the point whose rate it is
+  };
+  Parts operator()(const Point& difference) const {
     GridIndex offset;
     for (int axis = 0; axis < 3; ++axis) offset[axis] = static_cast<int>(std::lround(difference[axis] / spacing_));
     const auto found = by_offset_.find(offset);
-    return found == by_offset_.end() ? 0.0 : found->second;
+    return found == by_offset_.end() ? Parts{} : found->second;
   }
 
  private:
   double spacing_;
   double reach_ = 0.0;
-  std::map<GridIndex, double> by_offset_;
+  std::map<GridIndex, Parts> by_offset_;
 };
 
 }  // namespace
@@ -47,8 +53,9 @@ Bonds make_bonds(const Points& points, const Stencil& stencil, const BondTracer&
   for (std::size_t i = 0; i < points.owned; ++i) {
     for (BondIndex b = pairs.row_begin[i]; b < pairs.row_begin[i + 1]; ++b) {
       const auto j = static_cast<std::size_t>(pairs.points[b]);
-      const double unit = conductance(difference(points.positions[j], points.positions[i])) *
-                          (points.volumes[i] / cell) * (points.source_volumes[j] / cell);
+      const auto [bond, self] = conductance(difference(points.positions[j], points.positions[i]));
+      const double unit = (points.volumes[i] / cell) *
+                          (bond * (points.source_volumes[j] / cell) + self * (points.source_volumes[i] / cell));
       if (unit == 0.0) continue;
       tracer.trace(points.positions[i], points.materials[i], points.positions[j], points.materials[j], path);
       const double full = unit * path.conductivity;
@@ -79,7 +86,7 @@ Points make_points(const Body& body, const PaddedGrid& layout) {
     const GridIndex p = grid.index(n);
     const std::size_t before = points.size();
     append(p);
-    if (points.size() > before) points.volumes.push_back(grid.cell_volume() * grid.volume_share(p));
+    if (points.size() > before) points.volumes.push_back(grid.cell_volume() * body.volume_share(p));
   }
   points.owned = points.size();
   const auto pad = [&](int axis) { return layout.padding(axis); };

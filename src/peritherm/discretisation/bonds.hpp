@@ -20,7 +20,8 @@ struct Bonds {
 };
 
 /// Pairs × stencil × materials × cracks. Conductance of a bond: that of the stencil at their distance along each axis,
-/// times the shares of a cell that the own volume of i and the source volume of j are.
+/// times the shares of a cell that the own volume of i and the source volume of j are; where it stands for the own cell
+/// of i, times the source volume of i instead.
 Bonds make_bonds(const Points& points, const Stencil& stencil, const BondTracer& tracer,
                  const std::function<std::size_t(std::size_t, std::size_t)>& partner);
 

@@ -5,12 +5,15 @@
 namespace peritherm {
 
 void CutSchedule::add(std::size_t entry, double offset, double full, const BondPath& path) {
-  double share = standing_share(path);
+  RemainingShare share;
+  for (const Crossing& crossing : path.crossings) {
+    if (!crossing.in_time) share.pass(crossing);
+  }
   for (const Crossing& crossing : path.crossings) {
     if (!crossing.in_time) continue;
-    const double before = offset + full * share;
-    share *= crossing.transmission;
-    const double after = offset + full * share;
+    const double before = offset + full * share.value();
+    share.pass(crossing);
+    const double after = offset + full * share.value();
     if (after != before) events_.push_back({crossing.time, before, after, entry});
   }
 }

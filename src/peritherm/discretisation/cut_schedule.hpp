@@ -8,8 +8,8 @@
 
 namespace peritherm {
 
-/// Conductances that growing cracks lower at known times. Over a step each takes its mean (first Magnus term), so
-/// that results depend on the step only to second order.
+/// Conductances that growing cracks and elongation lower at known times. Over a step each takes its mean (first Magnus
+/// term), so that results depend on the step only to second order.
 class CutSchedule {
  public:
   /// Bond `entry` has the conductance offset + full before its first crossing in time.

@@ -20,16 +20,17 @@ struct EnumNames<PointPlacement> {
       {{PointPlacement::centres, "centres"}, {PointPlacement::boundary, "boundary"}}};
 };
 
-/// With how much of its cell a point on a face counts as a neighbour of others.
+/// With how much of its cell a point on a face outside which nothing stands counts. Fictitious points complete the
+/// cells on all other faces.
 enum class BoundaryVolumes {
-  whole,   ///< all of it where fictitious points complete it; the part inside where nothing stands outside
-  partial  ///< the part inside the box
+  partial,  ///< the part inside the box
+  whole     ///< all of it: a skin of half a cell around the body [bobaru2012, section 3]
 };
 
 template <>
 struct EnumNames<BoundaryVolumes> {
   static constexpr std::array<std::pair<BoundaryVolumes, std::string_view>, 2> values{
-      {{BoundaryVolumes::whole, "whole"}, {BoundaryVolumes::partial, "partial"}}};
+      {{BoundaryVolumes::partial, "partial"}, {BoundaryVolumes::whole, "whole"}}};
 };
 
 using GridIndex = std::array<int, 3>;  ///< place of a point along x, y, z; 0 along unused axes

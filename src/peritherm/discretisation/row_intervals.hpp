@@ -26,7 +26,7 @@ void append_box(const Grid& grid, const GridIndex& low, const GridIndex& high, s
 /// Sorts, and joins what overlaps or touches.
 void merge(std::vector<RowInterval>& intervals);
 
-/// Points with a bond that may cross a crack, found by walking along the cracks; merged.
+/// Points with a bond that may cross a crack, found by walking along the cracks, or that breaks; merged.
 std::vector<RowInterval> points_near_cracks(const Body& body, int radius);
 
 /// Points as near to a region's surface as `distance` [m], and few others; merged. Blocks of points that lie clear of

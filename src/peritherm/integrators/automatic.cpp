@@ -106,12 +106,24 @@ void refuse_fine_tolerance(const ImplicitOptions& options, ThermalSystem& system
 
 void refuse_changes(ThermalSystem& system, double from, double end) {
   if (system.fit_loads(from, end, 0, 1.0)) return;
+  throw Error("time.integrator: chebyshev needs a body that does not change in time, and bonds are cut before time.end",
+              "Choose \"auto\" or \"rkl2\"");
+}
+
+void refuse_one_sided(const TimeStepping& options, const ThermalSystem& system) {
+  if (system.is_symmetric() || !needs_symmetry(options)) return;
+  const std::string name = std::visit([](const auto& chosen) { return std::string(chosen.name); }, options);
   throw Error(
-      "time.integrator: chebyshev needs a body that does not change in time, and cracks cut bonds before time.end",
-      "Choose \"auto\" or \"rkl2\"");
+      "time.integrator: " + name + " needs bonds that conduct the same both ways, and " + std::string(one_sided_reason),
+      "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
 }
 
 }  // namespace
+
+bool needs_symmetry(const TimeStepping& options) {
+  return std::holds_alternative<Chebyshev>(options) || std::holds_alternative<SteadyState>(options) ||
+         std::holds_alternative<BackwardDifferences>(options) || std::holds_alternative<ImplicitRungeKutta>(options);
+}
 
 std::size_t times_at_once(std::size_t state_size) {
   constexpr std::size_t room = std::size_t{1} << 26;  // bytes; beyond that, keeping results costs more than it saves
@@ -127,6 +139,7 @@ double estimate_evaluations(const TimeStepping& options, double fastest_rate, st
 
 ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& system, double from,
                                std::span<const double> times) {
+  refuse_one_sided(options, system);
   if (std::holds_alternative<SteadyState>(options)) refuse_rounding(SteadyState::name, system);
   if (const auto* implicit = std::get_if<BackwardDifferences>(&options)) refuse_fine_tolerance(*implicit, system);
   if (const auto* implicit = std::get_if<ImplicitRungeKutta>(&options)) refuse_fine_tolerance(*implicit, system);
@@ -141,6 +154,7 @@ ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& syste
   propagator.relative_tolerance = automatic->relative_tolerance.value_or(propagator.relative_tolerance);
   stabilised.relative_tolerance = automatic->relative_tolerance.value_or(stabilised.relative_tolerance);
   if (times.empty()) return {propagator, "nothing to march through"};
+  if (!system.is_symmetric()) return {stabilised, std::string(one_sided_reason)};
   if (system.rate_rounding() > propagator_rounding) {
     return {stabilised, "chebyshev would add up what single precision rounds"};
   }

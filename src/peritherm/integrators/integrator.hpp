@@ -232,6 +232,12 @@ inline constexpr int propagator_load_degree = 2;  ///< of boundary values and so
 /// Part of the tolerance that the fit of loads may take: each of several misfits adds to the error.
 inline constexpr double load_share = 0.2;
 
+/// Does it rely on bonds that conduct the same both ways, so that decays are real and modes orthogonal?
+bool needs_symmetry(const TimeStepping& options);
+/// Why a system has no such bonds, to be told to users.
+inline constexpr std::string_view one_sided_reason =
+    "points on faces that follow others, or whose self_term counts part of a cell, conduct one way only";
+
 /// Output times that the propagator serves with one recurrence, for states of so many entries.
 std::size_t times_at_once(std::size_t state_size);
 

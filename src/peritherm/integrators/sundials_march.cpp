@@ -96,7 +96,7 @@ void SundialsMarch::expect_success(int flag, double time) {
 void SundialsMarch::refuse_growing_cracks(double from, double to) {
   system_.begin_step(from, from);
   if (!system_.begin_step(from, to)) return;
-  throw Error("time.integrator: " + name_ + " cannot follow cracks that grow or appear during the run",
+  throw Error("time.integrator: " + name_ + " cannot follow bonds that are cut or break during the run",
               "Choose the integrator \"rkl2\", which can");
 }
 

@@ -138,11 +138,16 @@ class BlockBuilder {
     const std::size_t changing = block_.differences.size();
     const double own = body.materials[material].conductivity;
     filter_.look(body.grid.position(p));
+    const BrokenBonds::Row broken = body.broken.row(point);
+    const auto breaks = [&](const GridIndex& offset) {
+      return !broken.bonds.empty() && broken.find(body.broken.number_of(offset)).has_value();
+    };
     for (std::size_t k = 0; k < plan_.stencil.entries.size(); ++k) {
       const auto& [offset, conductance] = plan_.stencil.entries[k];
       const GridIndex q{p[0] + offset[0], p[1] + offset[1], p[2] + offset[2]};
-      // In a body of one material only cracks and walls make a difference.
-      if (body.regions.empty() && !filter_.may_cross(k) && body.grid.contains(q) && !plan_.halves) continue;
+      // In a body of one material only cracks, elongation and walls make a difference.
+      const bool plain = body.regions.empty() && !filter_.may_cross(k) && body.grid.contains(q) && !plan_.halves;
+      if (plain && !breaks(offset)) continue;
       add_bond(p, material, q, own * conductance, conductance);
     }
     const bool free = held_by_[point] < 0;

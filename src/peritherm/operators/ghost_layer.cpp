@@ -1,6 +1,9 @@
 #include "peritherm/operators/ghost_layer.hpp"
 
 #include <algorithm>
+#include <map>
+#include <span>
+#include <utility>
 
 namespace peritherm {
 namespace {
@@ -152,34 +155,80 @@ void GhostLayer::add_face(const Body& body, const PaddedGrid& layout, Face face)
   }
 }
 
-void GhostLayer::fill(ConstField wall_temperatures, Field field) const {
-  double* const values = field.data();
-  const double* const walls = wall_temperatures.data();
-  for (std::size_t stage = 0; stage + 1 < stage_begin_.size(); ++stage) {
-    const auto begin = static_cast<std::int64_t>(stage_begin_[stage]);
-    const auto end = static_cast<std::int64_t>(stage_begin_[stage + 1]);
+namespace {
+
+/// The runs that fill fictitious points, by the first entry that each fills.
+class RunsByTarget {
+ public:
+  RunsByTarget(std::span<const GhostRun> runs) {
+    for (const GhostRun& run : runs) by_target_[run.target] = &run;
+  }
+
+  /// Fictitious points stand for points of the body, in corners by way of one another.
+  Stand stand(std::int64_t entry) const {
+    Stand stand{entry, 1.0, {}};
+    for (const GhostRun* run = find(stand.entry); run != nullptr && stand.sign != 0.0; run = find(stand.entry)) {
+      const std::int64_t k = stand.entry - run->target;
+      if (run->boundary >= 0) stand.walls.push_back({run->wall + k * run->wall_step, stand.sign * run->wall_weight});
+      stand.sign *= run->sign;
+      stand.entry = run->source + k * run->step;
+    }
+    return stand;
+  }
+
+ private:
+  const GhostRun* find(std::int64_t entry) const {
+    const auto next = by_target_.upper_bound(entry);
+    if (next == by_target_.begin()) return nullptr;
+    const GhostRun* const run = std::prev(next)->second;
+    return entry < run->target + run->length ? run : nullptr;
+  }
+
+  std::map<std::int64_t, const GhostRun*> by_target_;
+};
+
+}  // namespace
+
+void GhostLayer::add_followers(Followers followers) {
+  if (followers.size() == 0) return;
+  const RunsByTarget runs(std::span<const GhostRun>(runs_).subspan(stage_begin_[1]));
+  std::vector<Stand> stands;
+  for (const std::int64_t entry : followers.neighbours) stands.push_back(runs.stand(entry));
+  followers_ = FollowerRows(std::move(followers), stands);
+}
+
+void GhostLayer::fill(ConstField wall_temperatures, ConstField fluxes, Field field) const {
+  fill_stage(0, wall_temperatures.data(), field.data());
+  if (!followers_.empty()) followers_.fill(wall_temperatures, fluxes, field);
+  for (std::size_t stage = 1; stage + 1 < stage_begin_.size(); ++stage) {
+    fill_stage(stage, wall_temperatures.data(), field.data());
+  }
+}
+
+void GhostLayer::fill_stage(std::size_t stage, const double* walls, double* values) const {
+  const auto begin = static_cast<std::int64_t>(stage_begin_[stage]);
+  const auto end = static_cast<std::int64_t>(stage_begin_[stage + 1]);
 #pragma omp parallel for schedule(static) if (end - begin > 64)
-    for (std::int64_t r = begin; r < end; ++r) {
-      const GhostRun& run = runs_[static_cast<std::size_t>(r)];
-      double* const target = values + run.target;
-      const double* const source = values + run.source;
-      if (run.boundary < 0 && run.step == 1) {
-        std::copy_n(source, run.length, target);
-      } else if (run.boundary < 0) {
-        for (int k = 0; k < run.length; ++k) target[k] = source[k * run.step];
-      } else if (run.sign == 0.0) {
-        for (int k = 0; k < run.length; ++k) target[k] = walls[run.wall + k * run.wall_step];
-      } else {
-        for (int k = 0; k < run.length; ++k) {
-          target[k] = run.sign * source[k * run.step] + run.wall_weight * walls[run.wall + k * run.wall_step];
-        }
+  for (std::int64_t r = begin; r < end; ++r) {
+    const GhostRun& run = runs_[static_cast<std::size_t>(r)];
+    double* const target = values + run.target;
+    const double* const source = values + run.source;
+    if (run.boundary < 0 && run.step == 1) {
+      std::copy_n(source, run.length, target);
+    } else if (run.boundary < 0) {
+      for (int k = 0; k < run.length; ++k) target[k] = source[k * run.step];
+    } else if (run.sign == 0.0) {
+      for (int k = 0; k < run.length; ++k) target[k] = walls[run.wall + k * run.wall_step];
+    } else {
+      for (int k = 0; k < run.length; ++k) {
+        target[k] = run.sign * source[k * run.step] + run.wall_weight * walls[run.wall + k * run.wall_step];
       }
     }
   }
 }
 
 std::size_t GhostLayer::bytes() const {
-  std::size_t bytes = runs_.capacity() * sizeof(GhostRun);
+  std::size_t bytes = runs_.capacity() * sizeof(GhostRun) + followers_.bytes();
   for (const WallSlots& slots : slots_) {
     bytes += slots.places.capacity() * sizeof(WallPlace) + slots.begin.capacity() * sizeof(std::int64_t);
   }

@@ -6,6 +6,7 @@
 #include "peritherm/discretisation/body.hpp"
 #include "peritherm/discretisation/held_points.hpp"
 #include "peritherm/discretisation/padded_grid.hpp"
+#include "peritherm/operators/follower_rows.hpp"
 
 namespace peritherm {
 
@@ -46,7 +47,16 @@ class GhostLayer {
   GhostLayer(const Body& body, const PaddedGrid& layout, const HeldPoints& held_by,
              const std::vector<bool>& depends_on_place);
 
-  void fill(ConstField wall_temperatures, Field field) const;
+  /// Points that follow others; they must not be held. To be called once. Throws Error if one has nothing to follow.
+  void add_followers(Followers followers);
+
+  /// `fluxes`: what followers call their q [W/m²].
+  void fill(ConstField wall_temperatures, ConstField fluxes, Field field) const;
+
+  /// Ties of followers that change in time take their mean over [from, to]. True if any is another than before.
+  bool average_over(double from, double to) { return followers_.average_over(from, to); }
+  bool changes_within(double from, double to) const { return followers_.changes_within(from, to); }
+  const Followers& followers() const { return followers_.points(); }
 
   const std::vector<WallSlots>& slots() const { return slots_; }
   std::size_t wall_count() const { return wall_count_; }
@@ -59,10 +69,12 @@ class GhostLayer {
   void add_line(const Body& body, const PaddedGrid& layout, Face face, const GridIndex& first, int length);
   void append(GhostRun run, const std::vector<WallPlace>& places);
   std::vector<WallPlace> places_at(const Body& body, Face face, const GridIndex& p) const;
+  void fill_stage(std::size_t stage, const double* walls, double* values) const;
   void end_stage() { stage_begin_.push_back(runs_.size()); }
 
   std::vector<GhostRun> runs_;
   std::vector<std::size_t> stage_begin_{0};  ///< runs of a stage do not depend on one another
+  FollowerRows followers_;                   ///< filled after the first stage, which fills what is held
   std::vector<WallSlots> slots_;
   std::size_t wall_count_ = 0;
 };

@@ -17,7 +17,7 @@ double on_axis(AxisScale scale, double value) {
 }
 
 /// The ends of an axis that is to show some values, on the axis.
-ValueRange ends_of(const ChartAxis& axis, const std::vector<double>& values, double margin) {
+ValueRange axis_ends(const ChartAxis& axis, const std::vector<double>& values, double margin) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const double value : values) {
@@ -193,8 +193,8 @@ void draw_text_lines(Canvas& canvas, const std::vector<std::string>& lines, Plac
 
 Canvas draw_chart(const Chart& chart, int width) {
   const FigureSizes sizes(width);
-  Axis x = chart_axis(chart.x, ends_of(chart.x, values_along(chart, &Curve::x), has_dots(chart) ? 0.02 : 0.0), 8);
-  Axis y = chart_axis(chart.y, ends_of(chart.y, values_along(chart, &Curve::y), 0.06), 6);
+  Axis x = chart_axis(chart.x, axis_ends(chart.x, values_along(chart, &Curve::x), has_dots(chart) ? 0.02 : 0.0), 8);
+  Axis y = chart_axis(chart.y, axis_ends(chart.y, values_along(chart, &Curve::y), 0.06), 6);
   const double pad = 2.0 * sizes.gap;
   const double left = std::round(left_margin(y, sizes));
   const double room = std::round(width - left - pad - 0.5 * widest_tick(x, sizes));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "peritherm/output/curves.hpp"
 #include "peritherm/output/figure.hpp"
 
 namespace peritherm {
@@ -20,14 +21,39 @@ struct Scales {
   }
 };
 
-/// Pieces of the curve between cracks and cut-away parts.
-std::vector<Line> curve_pieces(const Section& section, const Scales& scales) {
-  std::vector<Line> pieces(1);
+/// The exact temperatures at the nodes, none where the body was cut away; empty if none are asked for.
+std::vector<double> exact_values(const Snapshot& snapshot, const Section& section, const PictureOutput& options) {
+  std::vector<double> values;
+  if (!options.exact) return values;
+  const TemperatureAt exact = make_temperature(*options.exact);
   for (std::size_t i = 0; i < section.x.size(); ++i) {
     const bool missing = std::isnan(section.values[i]);
+    values.push_back(missing ? section.values[i] : exact({section.x[i], 0.0, 0.0}, snapshot.time));
+  }
+  return values;
+}
+
+/// Below the plot of a bar with an exact solution.
+CurveLegend legend_of(const Section& section, const std::vector<double>& exact, double room, const FigureSizes& sizes) {
+  if (exact.empty()) return {{}, room, sizes};
+  double largest = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    if (!std::isnan(exact[i])) largest = std::max(largest, std::abs(exact[i] - section.values[i]));
+  }
+  return {{{"computed", {CurveStyle::line, 0}},
+           {"exact, largest difference " + rounded_text(largest, 2), {CurveStyle::dashed, 1}}},
+          room,
+          sizes};
+}
+
+/// Pieces of the curve between cracks and cut-away parts.
+std::vector<Line> curve_pieces(const Section& section, const std::vector<double>& values, const Scales& scales) {
+  std::vector<Line> pieces(1);
+  for (std::size_t i = 0; i < section.x.size(); ++i) {
+    const bool missing = std::isnan(values[i]);
     const bool parted = i > 0 && separated_in_bar(section.cracks, section.x[i - 1], section.x[i]);
     if ((missing || parted) && !pieces.back().empty()) pieces.emplace_back();
-    if (!missing) pieces.back().push_back(scales(section.x[i], section.values[i]));
+    if (!missing) pieces.back().push_back(scales(section.x[i], values[i]));
   }
   return pieces;
 }
@@ -54,7 +80,7 @@ void draw_background(Canvas& canvas, const Section& section, const Scales& scale
 
 void draw_curve(Canvas& canvas, const Section& section, const Scales& scales, const FigureSizes& sizes) {
   const Rectangle& plot = scales.plot;
-  const std::vector<Line> pieces = curve_pieces(section, scales);
+  const std::vector<Line> pieces = curve_pieces(section, section.values, scales);
   canvas.lines(pieces, {curve_colour, 2.6 * sizes.scale});
   // Points are shown where they can be told apart.
   const bool few = static_cast<double>(section.x.size()) * 14.0 * sizes.scale < plot.width;
@@ -75,7 +101,10 @@ void draw_curve(Canvas& canvas, const Section& section, const Scales& scales, co
 
 Canvas draw_line_plot(const Snapshot& snapshot, const Section& section, const PictureOutput& options) {
   const FigureSizes sizes(options.width);
-  ValueRange range = find_range(section.values, options);
+  const std::vector<double> exact = exact_values(snapshot, section, options);
+  std::vector<double> shown = section.values;
+  shown.insert(shown.end(), exact.begin(), exact.end());
+  ValueRange range = find_range(shown, options);
   if (!options.range) {
     const double room = 0.06 * (range.high - range.low);
     range = {range.low - (range.low == 0.0 ? 0.0 : room), range.high + room};
@@ -89,13 +118,17 @@ Canvas draw_line_plot(const Snapshot& snapshot, const Section& section, const Pi
   const Heading heading = make_heading(snapshot, section, width, sizes);
   const Rectangle plot{std::round(left), std::round(pad + heading.height), std::round(width),
                        std::max(120.0, std::round(0.5 * width))};
-  Canvas canvas(options.width, static_cast<int>(plot.bottom() + bottom_margin(sizes)));
+  const CurveLegend legend = legend_of(section, exact, plot.width, sizes);
+  const double below = plot.bottom() + bottom_margin(sizes);
+  Canvas canvas(options.width, static_cast<int>(below + legend.height()));
   const Scales scales{plot, std::move(x), std::move(y)};
   draw_heading(canvas, heading, plot.left, plot.right(), pad);
   draw_background(canvas, section, scales, sizes.line);
   canvas.clip(plot);
   draw_curve(canvas, section, scales, sizes);
+  if (!exact.empty()) draw_curve(canvas, curve_pieces(section, exact, scales), {CurveStyle::dashed, 1}, sizes);
   canvas.release();
+  legend.draw(canvas, plot.left, below);
   draw_frame(canvas, plot, scales.x, scales.y, sizes);
   return canvas;
 }

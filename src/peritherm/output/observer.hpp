@@ -12,6 +12,7 @@
 #include "peritherm/base/field.hpp"
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/discretisation/point_values.hpp"
+#include "peritherm/solutions/exact_solution.hpp"
 
 namespace peritherm {
 
@@ -94,11 +95,12 @@ struct VtkOutput {
 struct PictureOutput {
   std::string stem;  ///< first part of the file names; empty: from field and slice
   FieldName field = FieldName::temperature;
-  std::optional<Coordinates> range;  ///< lowest and highest value of the colour bar; none: those of the field
-  int width = 1000;                  ///< [pixels]
-  int isotherms = 11;                ///< number of lines of equal temperature; 0: none
-  AxisName normal = AxisName::z;     ///< 3-D: direction across the slice
-  std::optional<double> at;          ///< 3-D: place of the slice along it [m]; none: the middle
+  std::optional<Coordinates> range;    ///< lowest and highest value of the colour bar; none: those of the field
+  int width = 1000;                    ///< [pixels]
+  int isotherms = 11;                  ///< number of lines of equal temperature; 0: none
+  AxisName normal = AxisName::z;       ///< 3-D: direction across the slice
+  std::optional<double> at;            ///< 3-D: place of the slice along it [m]; none: the middle
+  std::optional<ExactSolution> exact;  ///< 1-D: drawn beside the temperature
   static constexpr std::string_view name = "picture";
   static constexpr std::string_view help = "pictures/*.png with axes, colour bar, time and cracks";
   static constexpr auto options() {
@@ -114,7 +116,8 @@ struct PictureOutput {
                  Check{[](double v) { return v >= 0 && v <= 200; }, "must lie between 0 and 200"},
                  "number of lines of equal value; 0: none"),
         optional("normal", &PictureOutput::normal, "3-D: the direction across the slice"),
-        optional("at", &PictureOutput::at, "m", any_number, "3-D: place of the slice; default: the middle")};
+        optional("at", &PictureOutput::at, "m", any_number, "3-D: place of the slice; default: the middle"),
+        optional("exact", &PictureOutput::exact, "1-D: a solution in closed form to draw beside the temperature")};
   }
   bool operator==(const PictureOutput&) const = default;
 };
@@ -132,6 +135,33 @@ struct ProbeOutput {
   bool operator==(const ProbeOutput&) const = default;
 };
 
+/// line_NAME.csv and pictures/line_NAME.png: the temperature along a straight line.
+struct LineOutput {
+  std::string stem = "middle";      ///< NAME
+  std::optional<Coordinates> from;  ///< ends [m]; none: the line along x through the middle of the body
+  std::optional<Coordinates> to;
+  std::optional<int> samples;          ///< places along it; none: its ends and the points between, see the guide
+  std::optional<ExactSolution> exact;  ///< a column and curves beside the temperature
+  int width = 1000;                    ///< [pixels]
+  static constexpr std::string_view name = "line";
+  static constexpr std::string_view help = "line_NAME.csv and pictures/line_NAME.png: the temperature along a line";
+  static constexpr auto options() {
+    return std::tuple{
+        optional("name", &LineOutput::stem, "last part of the file names"),
+        optional("from", &LineOutput::from, "m", any_number, "where the line begins; default: at x_min, in the middle"),
+        optional("to", &LineOutput::to, "m", any_number, "where it ends; default: at x_max, in the middle"),
+        optional("samples", &LineOutput::samples, "",
+                 Check{[](double v) { return v >= 2 && v <= 100000; }, "must lie between 2 and 100000"},
+                 "number of places, evenly from end to end; default: the points of the body where the line is along an "
+                 "axis"),
+        optional("exact", &LineOutput::exact, "a solution in closed form to set beside the temperature"),
+        optional("width", &LineOutput::width, "",
+                 Check{[](double v) { return v >= 200 && v <= 8000; }, "must lie between 200 and 8000"},
+                 "width of the picture in pixels")};
+  }
+  bool operator==(const LineOutput&) const = default;
+};
+
 /// energy.csv: stored heat, heat through every boundary, residual.
 struct EnergyOutput {
   static constexpr std::string_view name = "energy";
@@ -144,12 +174,21 @@ struct EnergyOutput {
 std::string file_stem(const VtkOutput& options);
 std::string file_stem(const PictureOutput& options);
 std::string file_stem(const ProbeOutput& options);
+std::string file_stem(const LineOutput& options);
 std::string file_stem(const EnergyOutput& options);
 
-using OutputKind = std::variant<VtkOutput, PictureOutput, ProbeOutput, EnergyOutput>;  ///< the list
+using OutputKind = std::variant<VtkOutput, PictureOutput, ProbeOutput, LineOutput, EnergyOutput>;  ///< the list
+
+/// The ends of the line in a body, given or not.
+struct LineEnds {
+  Point from;
+  Point to;
+};
+LineEnds ends_of(const LineOutput& options, const Grid& grid);
 
 std::unique_ptr<Observer> make_observer(const VtkOutput& options, const std::filesystem::path& folder);
 std::unique_ptr<Observer> make_observer(const PictureOutput& options, const std::filesystem::path& folder);
+std::unique_ptr<Observer> make_observer(const LineOutput& options, const std::filesystem::path& folder);
 std::unique_ptr<Observer> make_observer(const EnergyOutput& options, const std::filesystem::path& folder);
 /// All probes share one file and one observer; every row holds all of them.
 std::unique_ptr<Observer> make_probe_observer(const std::vector<ProbeOutput>& probes,

@@ -107,4 +107,18 @@ struct Convection {
 
 using BoundaryCondition = std::variant<HeldTemperature, Insulated, PrescribedFlux, Convection>;  ///< the list
 
+/// What stands outside a face, as far as heat is prescribed there; mirrors for all other conditions.
+inline Outside outside_of(const BoundaryCondition& condition) {
+  const auto* insulated = std::get_if<Insulated>(&condition);
+  const auto* flux = std::get_if<PrescribedFlux>(&condition);
+  if (insulated != nullptr) return insulated->imposed.value_or(Outside::mirror);
+  return flux != nullptr ? flux->imposed.value_or(Outside::mirror) : Outside::mirror;
+}
+
+/// Does it tie points of the body to others farther in, so that they have no equation of their own?
+inline bool ties_points(const BoundaryCondition& condition) {
+  const Outside outside = outside_of(condition);
+  return outside == Outside::slaved || outside == Outside::flux_formula;
+}
+
 }  // namespace peritherm

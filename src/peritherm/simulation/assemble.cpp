@@ -10,6 +10,7 @@
 #include "peritherm/operators/fourier_sum.hpp"
 #include "peritherm/simulation/backend_choice.hpp"
 #include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/displacement_series.hpp"
 
 namespace peritherm {
 namespace {
@@ -63,14 +64,16 @@ WallKind wall_kind(const BoundaryCondition& condition) {
   return held->imposed == Imposed::mirror ? WallKind::odd : WallKind::constant;
 }
 
-/// Nothing stands outside a face that is insulated naturally, or held as a whole by a layer inside.
+}  // namespace
+
 bool is_open(const BoundaryOptions& boundary) {
   if (boundary.where) return false;
   const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
   if (held != nullptr) return holds_inside(*held);
-  const auto* insulated = std::get_if<Insulated>(&boundary.condition);
-  return insulated != nullptr && insulated->imposed == Outside::natural;
+  return outside_of(boundary.condition) != Outside::mirror;
 }
+
+namespace {
 
 /// Calls visit(point) for the layer of points `depth` points below a face.
 template <class Visit>
@@ -98,21 +101,32 @@ void place_on_face(const BoundaryOptions& boundary, std::size_t number, Body& bo
   });
 }
 
+/// Does it decide the temperature of points of the body?
+bool holds_points(const BoundaryCondition& condition) {
+  return std::holds_alternative<HeldTemperature>(condition) || ties_points(condition);
+}
+
 /// Number of layers of points that a condition on a face holds: the wall's own for fictitious points outside.
-int held_layers(const HeldTemperature& held, const Grid& grid, double horizon) {
+int held_layers(const BoundaryCondition& condition, const Grid& grid, double horizon, const Stencil& stencil) {
+  if (ties_points(condition)) {
+    return outside_of(condition) == Outside::slaved ? slaved_points(stencil, horizon, grid.spacing) : 1;
+  }
+  const auto& held = std::get<HeldTemperature>(condition);
   if (held.imposed == Imposed::row) return 1;
   if (held.imposed != Imposed::inner) return grid.placement == PointPlacement::boundary ? 1 : 0;
   const double depth = held.thickness.value_or(horizon) / grid.spacing - grid.first_depth();
   return static_cast<int>(std::floor(depth + 1e-9)) + 1;
 }
 
-/// Where two faces meet, the later axis decides; a selected set of points goes before faces.
+/// Where two faces meet, the later axis decides; held temperatures go before points that follow others, and selected
+/// points before faces.
 std::vector<std::size_t> order_of_holding(const Problem& problem) {
   std::vector<std::size_t> order(problem.boundaries.size());
   for (std::size_t b = 0; b < order.size(); ++b) order[b] = b;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const auto rank = [&](std::size_t k) {
       const auto& face = problem.boundaries[k].face;
+      if (ties_points(problem.boundaries[k].condition)) return face ? axis_of(*face) - 3 : 0;
       return face ? axis_of(*face) : 3;
     };
     return rank(a) < rank(b);
@@ -120,15 +134,15 @@ std::vector<std::size_t> order_of_holding(const Problem& problem) {
   return order;
 }
 
-/// Calls visit(point) for what a boundary of held temperature holds.
+/// Calls visit(point) for what a boundary holds.
 template <class Visit>
 void for_held(const BoundaryOptions& boundary, std::size_t number, const Geometry& geometry, Visit&& visit) {
   const Body& body = geometry.body;
   const Grid& grid = body.grid;
   if (boundary.face) {
-    const auto& held = std::get<HeldTemperature>(boundary.condition);
     const int layers =
-        std::min(held_layers(held, grid, geometry.stencil_options.horizon), grid.count(axis_of(*boundary.face)));
+        std::min(held_layers(boundary.condition, grid, geometry.stencil_options.horizon, geometry.stencil),
+                 grid.count(axis_of(*boundary.face)));
     for (int depth = 0; depth < layers; ++depth) {
       for_layer(grid, *boundary.face, depth, [&](const GridIndex& p) {
         if (body.boundary_at(*boundary.face, p) == static_cast<int>(number)) visit(p);
@@ -147,8 +161,7 @@ void hold_points(const Problem& problem, Geometry& geometry) {
   geometry.held_boxes.resize(problem.boundaries.size());
   for (const std::size_t b : order_of_holding(problem)) {
     const BoundaryOptions& boundary = problem.boundaries[b];
-    const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
-    if (held == nullptr) continue;
+    if (!holds_points(boundary.condition)) continue;
     std::size_t count = 0;
     for_held(boundary, b, geometry, [&](const GridIndex& p) {
       const std::size_t n = body.grid.number(p);
@@ -157,7 +170,8 @@ void hold_points(const Problem& problem, Geometry& geometry) {
       geometry.held_boxes[b].include(p);
       ++count;
     });
-    if (count == 0 && (!boundary.face || holds_inside(*held))) {
+    const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
+    if (count == 0 && (!boundary.face || held == nullptr || holds_inside(*held))) {
       throw Error("boundary." + std::to_string(b) + ": holds no point",
                   "Choose a thicker layer, or a part of the body that is not cut away");
     }
@@ -167,7 +181,7 @@ void hold_points(const Problem& problem, Geometry& geometry) {
 /// The points that may exchange heat with what a boundary holds.
 std::vector<ConductionOperator::Stretch> find_near_held(const Geometry& geometry, const BoundaryOptions& boundary,
                                                         std::size_t number, const PaddedGrid& layout) {
-  if (!std::holds_alternative<HeldTemperature>(boundary.condition)) return {};
+  if (!holds_points(boundary.condition)) return {};
   const Grid& grid = geometry.body.grid;
   const int radius = geometry.stencil.radius;
   IndexBox box = geometry.held_boxes[number];
@@ -186,6 +200,17 @@ std::vector<ConductionOperator::Stretch> find_near_held(const Geometry& geometry
     stretches.push_back({static_cast<std::int64_t>(layout.entry(first_point(grid, row))), row.end - row.begin});
   }
   return stretches;
+}
+
+/// Points that are held at a temperature, without those that follow others.
+HeldPoints held_at_temperatures(const Problem& problem, const Geometry& geometry) {
+  HeldPoints held;
+  const std::size_t count = geometry.held_by.boundaries().size();
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::int16_t b = geometry.held_by[n];
+    if (b >= 0 && !ties_points(problem.boundaries[static_cast<std::size_t>(b)].condition)) held.hold(n, b, count);
+  }
+  return held;
 }
 
 std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, const PaddedGrid& layout,
@@ -249,7 +274,26 @@ double spectral_bound(const Geometry& geometry) {
   return conductivity * largest_symbol(geometry.stencil, body.grid.dimension) / (capacity * body.grid.cell_volume());
 }
 
+/// Do points stand on a face outside which nothing stands?
+bool stands_on_open_face(const Problem& problem) {
+  return make_grid(problem).placement == PointPlacement::boundary &&
+         std::any_of(problem.boundaries.begin(), problem.boundaries.end(), is_open);
+}
+
 }  // namespace
+
+bool is_symmetric(const Problem& problem) {
+  const auto ties = [](const BoundaryOptions& boundary) { return ties_points(boundary.condition); };
+  if (std::any_of(problem.boundaries.begin(), problem.boundaries.end(), ties)) return false;
+  return *problem.nonlocality.boundary_volumes == BoundaryVolumes::whole || !stands_on_open_face(problem) ||
+         *problem.nonlocality.self_term == SelfTerm::none;
+}
+
+bool needs_bond_backend(const Problem& problem) {
+  if (!stands_on_open_face(problem)) return false;
+  return *problem.nonlocality.boundary_volumes == BoundaryVolumes::whole ||
+         *problem.nonlocality.self_term != SelfTerm::none;
+}
 
 Geometry make_geometry(const Problem& given) {
   const Problem problem = resolved(given);
@@ -257,6 +301,7 @@ Geometry make_geometry(const Problem& given) {
   Body& body = geometry.body;
   body.grid = make_grid(problem);
   body.interface = *problem.nonlocality.interface;
+  body.boundary_volumes = *problem.nonlocality.boundary_volumes;
   const auto numbers = add_materials(problem, geometry);
   body.background = numbers.at(problem.body.material);
   for (const BodyRegion& region : problem.body.regions)
@@ -272,6 +317,7 @@ Geometry make_geometry(const Problem& given) {
   body.inspect_walls();
   geometry.stencil_options = stencil_options_of(problem);
   geometry.stencil = make_stencil(geometry.stencil_options, body.grid.spacing, body.grid.dimension);
+  body.broken = break_bonds(problem, body, geometry.stencil);
   hold_points(problem, geometry);
   return geometry;
 }
@@ -288,17 +334,21 @@ Assembly assemble(const Problem& given) {
     depends_on_place.push_back(held != nullptr && CompiledProfile(held->value).depends_on_place());
     parts.near_held.push_back(find_near_held(geometry, problem.boundaries[b], b, layout));
   }
-  parts.ghosts = std::make_unique<GhostLayer>(geometry.body, layout, geometry.held_by, depends_on_place);
+  parts.ghosts =
+      std::make_unique<GhostLayer>(geometry.body, layout, held_at_temperatures(problem, geometry), depends_on_place);
   for (const WallSlots& slots : parts.ghosts->slots()) {
     const auto* held =
         std::get_if<HeldTemperature>(&problem.boundaries[static_cast<std::size_t>(slots.boundary)].condition);
     if (held != nullptr && slots.begin.size() > 1) parts.wall_temperatures.add(held->value, slots.places, slots.begin);
   }
   parts.grid = geometry.body.grid;
+  parts.ghosts->add_followers(make_followers(problem, geometry, layout, parts.exchange_values));
   parts.exchanges = make_exchanges(problem, geometry, layout, parts.exchange_values);
   parts.sources = make_sources(problem, geometry, layout);
   parts.boundary_names = geometry.boundary_names;
-  parts.spectral_bound = spectral_bound(geometry);
+  parts.symmetric = is_symmetric(problem);
+  // Bodies that are not are continued by no lattice.
+  parts.spectral_bound = parts.symmetric ? spectral_bound(geometry) : 0.0;
   // Bonds in single precision are still summed in double.
   const bool coarse = problem.numerics.precision == Precision::single && backend != BackendName::bond;
   parts.rate_rounding = coarse ? 0x1p-24 : 0x1p-53;

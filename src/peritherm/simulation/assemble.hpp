@@ -41,6 +41,20 @@ struct Geometry {
   std::vector<std::string> boundary_names;  ///< "y_max temperature"
 };
 
+/// Nothing stands outside a face that is held as a whole by points inside, or where points inside impose what passes.
+bool is_open(const BoundaryOptions& boundary);
+
+/// Does every bond conduct the same both ways? Points that follow others and self terms of parts of cells do not. Of a
+/// resolved problem.
+bool is_symmetric(const Problem& problem);
+
+/// Are there points on open faces whose bonds are not those of the stencil? Of a resolved problem.
+bool needs_bond_backend(const Problem& problem);
+
+/// How many of the outermost points a slaved face ties to the next one: those within a horizon of it, whether the
+/// kernel lets all of them conduct or not [bobaru2010, eq. 22].
+int slaved_points(const Stencil& stencil, double horizon, double spacing);
+
 /// The problem must have passed `check`.
 Geometry make_geometry(const Problem& problem);
 
@@ -57,6 +71,11 @@ Assembly assemble(const Problem& problem);
 
 /// State at time 0: initial temperatures, no heat passed.
 FieldStorage initial_state(const Problem& problem, const Assembly& assembly);
+
+/// Points that slaved faces and those with a flux formula tie to others; appends their fluxes to `fluxes`. Throws Error
+/// if one has nothing to follow.
+Followers make_followers(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout,
+                         PrescribedValues& fluxes);
 
 /// Heat exchanges of the flux and convection boundaries; fills `values` with what they prescribe.
 std::vector<SurfaceExchange> make_exchanges(const Problem& problem, const Geometry& geometry, const PaddedGrid& layout,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "peritherm/operators/fourier_sum.hpp"
+#include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 
 namespace peritherm {
@@ -76,7 +77,9 @@ void sort_by_time(std::vector<Contender>& contenders) {
 /// The backends that may be chosen, the quickest first.
 std::vector<Contender> contenders(const Problem& problem, const Grid& grid, const Stencil& stencil, int threads) {
   std::vector<BackendName> names{problem.numerics.backend};
-  if (names[0] == BackendName::automatic) {
+  if (names[0] == BackendName::automatic && needs_bond_backend(resolved(problem))) {
+    names = {BackendName::bond};
+  } else if (names[0] == BackendName::automatic) {
     names = {BackendName::stencil};
     if (fourier_sum_available()) names.push_back(BackendName::fourier);
   }
@@ -105,7 +108,10 @@ BackendChoice decide(const Problem& problem, const std::vector<Contender>& sorte
     choice.reason += " against " + milliseconds(sorted[1].seconds) + " by " + std::string(name_of(sorted[1].backend));
   }
   choice.reason += source(sorted.back());
-  if (problem.numerics.backend == BackendName::automatic && !fourier_sum_available()) {
+  const bool automatic = problem.numerics.backend == BackendName::automatic;
+  if (automatic && sorted[0].backend == BackendName::bond) {
+    choice.reason += "; the scheme gives points on faces bonds of their own, which only bond has";
+  } else if (automatic && !fourier_sum_available()) {
     choice.reason += "; this build has no fft";
   }
   return choice;

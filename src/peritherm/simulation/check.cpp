@@ -78,6 +78,7 @@ std::vector<Issue> find_faults(const Problem& given, const Locations& locations,
   check_boundaries(checker);
   check_profiles(checker);
   check_cracks(checker);
+  check_damage(checker);
   check_outputs(checker);
   check_numerics(checker);
   return std::move(checker.issues);

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <map>
 
+#include "peritherm/base/error.hpp"
+#include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/checker.hpp"
 
 namespace peritherm {
@@ -50,23 +52,49 @@ void check_selection(Checker& checker, const std::string& key, const BoundaryOpt
   }
 }
 
-/// Ways that bodies cannot be given yet.
-void check_available(Checker& checker, const std::string& key, const std::optional<Outside>& imposed) {
-  if (imposed != Outside::slaved && imposed != Outside::flux_formula) return;
-  checker.add(key + ".imposed", '"' + std::string(name_of(*imposed)) + "\" is not available", "Choose \"mirror\"");
+/// How what passes a face is imposed: by fictitious points anywhere, by points inside on whole faces only.
+void check_outside(Checker& checker, const std::string& key, const BoundaryOptions& boundary) {
+  const Outside outside = outside_of(boundary.condition);
+  if (outside == Outside::mirror) return;
+  const std::string name = '"' + std::string(name_of(outside)) + '"';
+  const bool is_flux = std::holds_alternative<PrescribedFlux>(boundary.condition);
+  if (!boundary.face) {
+    if (is_flux) checker.add(key + ".imposed", name + " belongs to a face", "Leave it out, or give face");
+  } else if (boundary.where) {
+    checker.add(key + ".imposed", name + " applies to a whole face", "Leave where out, or choose \"mirror\"");
+  } else if (is_flux && outside == Outside::natural) {
+    checker.add(key + ".imposed", "\"natural\" lets no heat pass, so there is no flux to prescribe",
+                "Choose one of: mirror, slaved, flux_formula");
+  }
+}
+
+/// Points that follow the first one farther in than a horizon need it, whatever stands at the other end.
+void check_room_to_follow(Checker& checker, const std::string& key, const BoundaryOptions& boundary) {
+  if (outside_of(boundary.condition) != Outside::slaved || !checker.sound("nonlocality")) return;
+  const Grid& grid = *checker.grid;
+  const NonlocalityOptions& options = checker.problem.nonlocality;
+  if (checker.grid_stands_in || options.horizon.has_value() == options.horizon_ratio.has_value()) return;
+  // What makes no stencil has been reported with the horizon.
+  int tied = 0;
+  try {
+    const StencilOptions stencil = stencil_options_of(checker.problem);
+    tied = slaved_points(make_stencil(stencil, grid.spacing, grid.dimension), stencil.horizon, grid.spacing);
+  } catch (const Error&) {
+    return;
+  }
+  const int points = grid.count(axis_of(*boundary.face));
+  if (points > 2 * tied) return;
+  checker.add(key + ".imposed",
+              "\"slaved\" ties the " + std::to_string(tied) + " outermost points to the next one, and the body has " +
+                  std::to_string(points) + " across",
+              "Choose at least " + std::to_string(2 * tied + 1) + " points, a smaller horizon, or \"mirror\"");
 }
 
 void check_condition(Checker& checker, const std::string& key, const BoundaryOptions& boundary) {
   if (std::holds_alternative<Insulated>(boundary.condition) && !boundary.face) {
     checker.add(key, "an insulated boundary needs a face", "Give face; inside the body use a [[crack]] or void");
   }
-  const auto* insulated = std::get_if<Insulated>(&boundary.condition);
-  if (insulated != nullptr && boundary.where && insulated->imposed == Outside::natural) {
-    checker.add(key + ".imposed", "\"natural\" applies to a whole face", "Leave where out, or choose \"mirror\"");
-  }
-  if (insulated != nullptr) check_available(checker, key, insulated->imposed);
-  const auto* flux = std::get_if<PrescribedFlux>(&boundary.condition);
-  if (flux != nullptr) check_available(checker, key, flux->imposed);
+  check_outside(checker, key, boundary);
   const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
   if (held == nullptr) return;
   if (!boundary.face && held->imposed.value_or(Imposed::mirror) != Imposed::mirror) {
@@ -150,6 +178,7 @@ void check_boundaries(Checker& checker) {
     check_condition(checker, key, boundaries[i]);
     if (!check_place(checker, key, boundaries[i])) continue;
     check_selection(checker, key, boundaries[i]);
+    if (boundaries[i].face) check_room_to_follow(checker, key, boundaries[i]);
     sound.push_back(i);
   }
   if (checker.grid) check_overlaps(checker, sound);

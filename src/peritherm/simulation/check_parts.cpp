@@ -3,6 +3,7 @@
 
 #include "peritherm/base/text.hpp"
 #include "peritherm/operators/fourier_sum.hpp"
+#include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/checker.hpp"
 
 namespace peritherm {
@@ -88,7 +89,53 @@ void check_kind(Checker& checker, const std::string& key, const ProbeOutput& pro
   }
 }
 
+/// An exact solution must suit the body and reach to the places that are asked for.
+void check_exact(Checker& checker, const std::string& key, const ExactSolution& exact,
+                 const std::vector<Point>& places) {
+  const std::string fault = find_fault(exact, checker.grid->dimension);
+  if (!fault.empty()) return checker.add(key, fault, "Let it describe this body");
+  try {
+    const TemperatureAt temperature_at = make_temperature(exact);
+    for (const Point& place : places) temperature_at(place, 0.0);
+  } catch (const Error& error) {
+    checker.add(key, error.issues().front().problem, error.issues().front().hint);
+  }
+}
+
+void check_kind(Checker& checker, const std::string& key, const LineOutput& line) {
+  if (line.stem.empty()) checker.add(key + ".name", "is empty", "Leave it out, or give the files a name");
+  if (!checker.grid) return;
+  const Grid& grid = *checker.grid;
+  bool sound = true;
+  for (const auto& [name, given] : {std::pair("from", &line.from), std::pair("to", &line.to)}) {
+    if (!given->has_value()) continue;
+    const Coordinates& place = **given;
+    const std::string end = key + '.' + name;
+    const bool fits = place.size() == static_cast<std::size_t>(grid.dimension);
+    sound = sound && fits && in_box(grid, to_point(place));
+    if (!fits) {
+      checker.add(end, "has " + count_of(place.size()) + ", but the body is " + std::to_string(grid.dimension) + "-D",
+                  "Give one coordinate per dimension");
+    } else if (!in_box(grid, to_point(place))) {
+      checker.add(end, "the line leaves the body", box_text(grid));
+    }
+  }
+  if (!sound) return;
+  const auto [from, to] = ends_of(line, grid);
+  if (from == to) return checker.add(key + ".to", "the line has no length", "Let it end elsewhere");
+  if (line.exact) check_exact(checker, key + ".exact", *line.exact, {from, to});
+}
+
 void check_kind(Checker& checker, const std::string& key, const PictureOutput& picture) {
+  if (picture.exact && checker.grid && checker.grid->dimension > 1) {
+    checker.add(key + ".exact", "is for pictures of 1-D bodies only", "Write an output of type \"line\" for it");
+  } else if (picture.exact && picture.field != FieldName::temperature) {
+    checker.add(key + ".exact", "is for the field \"temperature\" only", "Leave it out");
+  } else if (picture.exact && checker.grid) {
+    Point far = checker.grid->origin;
+    far[0] += checker.grid->length(0);
+    check_exact(checker, key + ".exact", *picture.exact, {checker.grid->origin, far});
+  }
   if (picture.range && (picture.range->size() != 2 || !((*picture.range)[0] < (*picture.range)[1]))) {
     checker.add(key + ".range", "must be the lowest and the highest value", "Write range = [0, 100]");
   }
@@ -112,14 +159,15 @@ void check_file_names(Checker& checker) {
   std::set<std::string> stems;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const std::string stem = std::visit([](const auto& kind) { return file_stem(kind); }, outputs[i].kind);
-    if (std::holds_alternative<PictureOutput>(outputs[i].kind) && stem.find_first_of("/\\") != std::string::npos) {
+    const bool named =
+        std::holds_alternative<PictureOutput>(outputs[i].kind) || std::holds_alternative<LineOutput>(outputs[i].kind);
+    if (named && stem.find_first_of("/\\") != std::string::npos) {
       checker.add(entry("output", i) + ".name", "'" + stem + "' is no plain name of a file", "Leave out / and \\");
     }
     if (std::holds_alternative<ProbeOutput>(outputs[i].kind) || stems.insert(stem).second) continue;
-    const bool picture = std::holds_alternative<PictureOutput>(outputs[i].kind);
     checker.add(entry("output", i), "writes the same files as an earlier output, " + stem + "…",
-                picture ? "Give one of them a name, e.g. name = \"" + stem + "_close\""
-                        : "Merge the two, e.g. with times = [ … ]");
+                named ? "Give one of them a name, e.g. name = \"" + stem + "_close\""
+                      : "Merge the two, e.g. with times = [ … ]");
   }
 }
 
@@ -177,7 +225,31 @@ void check_crack_growth(Checker& checker, std::string_view integrator) {
 
 }  // namespace
 
+namespace {
+
+/// The first boundary that makes conduction one-sided, and those that only the bond backend evaluates.
+void check_one_sided(Checker& checker) {
+  if (!checker.sound("boundary") || !checker.sound("nonlocality") || !checker.grid || checker.grid_stands_in) return;
+  const Problem& problem = checker.problem;
+  const BackendName backend = problem.numerics.backend;
+  if (backend != BackendName::automatic && backend != BackendName::bond && needs_bond_backend(problem)) {
+    checker.add("numerics.backend",
+                "'" + std::string(name_of(backend)) +
+                    "' gives all points the bonds of one stencil, which this case's " + "points on faces have not",
+                "Choose \"auto\" or \"bond\", or points = \"centres\"");
+  }
+  if (is_symmetric(problem) || !needs_symmetry(problem.time.integrator)) return;
+  const std::string name =
+      std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
+  checker.add("time.integrator",
+              "'" + name + "' needs bonds that conduct the same both ways, and " + std::string(one_sided_reason),
+              "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
+}
+
+}  // namespace
+
 void check_numerics(Checker& checker) {
+  check_one_sided(checker);
   if (checker.problem.numerics.backend == BackendName::fourier && !fourier_sum_available()) {
     checker.add("numerics.backend", "'fft' needs FFTW, which this build has not",
                 "Install libfftw3-dev and configure with -DPERITHERM_FFTW=ON, or choose \"stencil\"");

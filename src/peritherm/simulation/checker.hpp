@@ -38,6 +38,7 @@ void check_regions(Checker& checker);
 void check_boundaries(Checker& checker);
 void check_profiles(Checker& checker);  ///< initial temperature, sources, boundary values
 void check_cracks(Checker& checker);
+void check_damage(Checker& checker);  ///< displacements, and the whole of a table
 void check_outputs(Checker& checker);
 void check_numerics(Checker& checker);
 

@@ -14,6 +14,7 @@ struct Exchange {
 };
 
 std::optional<Exchange> exchange_of(const BoundaryCondition& condition) {
+  if (ties_points(condition)) return std::nullopt;
   if (const auto* flux = std::get_if<PrescribedFlux>(&condition)) return Exchange{&flux->value, 0.0};
   if (const auto* convection = std::get_if<Convection>(&condition)) {
     return Exchange{&convection->ambient, convection->coefficient};
@@ -122,7 +123,7 @@ class ExchangeBuilder {
     point.convective = exchange_.coefficient > 0.0;
     point.gain = point.convective ? area / (1.0 / exchange_.coefficient + depth / material.conductivity) : area;
     point.inverse_capacity =
-        1.0 / (volumetric_heat_capacity(material) * body_.grid.cell_volume() * body_.grid.volume_share(p));
+        1.0 / (volumetric_heat_capacity(material) * body_.grid.cell_volume() * body_.volume_share(p));
     exchanges.push_back(point);
   }
 

@@ -33,7 +33,7 @@ void heat_flux(const Assembly& assembly, ConstField state, std::size_t first, st
     if (body.material_of[first + k] == no_material) continue;
     const GridIndex p = grid.index(first + k);
     const std::size_t entry = assembly.layout.entry(p);
-    const double volume = grid.cell_volume() * grid.volume_share(p);
+    const double volume = grid.cell_volume() * body.volume_share(p);
     if (grid.dimension == 1) {
       // The family to the right, unless the bar ends within it and nothing mirrors it there.
       const bool ends = body.walls[1].open && p[0] + assembly.geometry.stencil.radius >= grid.count(0);

@@ -36,7 +36,7 @@ class HeatedPointFinder {
     const std::size_t n = grid.number(p);
     if (body_.material_of[n] == no_material || geometry_.held_by[n] >= 0) return;
     if (where_ && !contains(*where_, grid.position(p), 1e-9 * grid.spacing)) return;
-    const double volume = grid.cell_volume() * grid.volume_share(p);
+    const double volume = grid.cell_volume() * body_.volume_share(p);
     const double inverse = 1.0 / (volumetric_heat_capacity(body_.materials[body_.material_of[n]]) * volume);
     if (!rows_.empty() && p[0] > 0) {
       HeatedRow& last = rows_.back();

@@ -30,6 +30,12 @@ inline constexpr bool is_list_of_tables = false;
 template <Described T>
 inline constexpr bool is_list_of_tables<std::vector<T>> = true;
 
+/// A struct, or one that may be left out.
+template <class T>
+inline constexpr bool is_table = Described<T>;
+template <class T>
+inline constexpr bool is_table<std::optional<T>> = Described<T>;
+
 /// A list of alternatives; anything else that is a variant (a Profile's value) is not described.
 template <class T>
 inline constexpr bool is_choice = false;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/discretisation/broken_bonds.hpp"
 #include "peritherm/discretisation/damage.hpp"
 #include "peritherm/discretisation/padded_grid.hpp"
 #include "peritherm/simulation/assemble.hpp"
@@ -119,9 +120,20 @@ double evaluations_for(const Problem& problem, const TimeStepping& stepping, dou
   return evaluations;
 }
 
-void estimate_steps(const Problem& problem, const TimeStepping& stepping, HeatSystem& system, Plan& plan) {
+/// While bonds break by elongation: about four evaluations for each time at which any does, measured on a plate that
+/// is torn open (3 to 5).
+double breaking_evaluations(const Problem& problem, const TimeStepping& stepping, const BrokenBonds& broken) {
+  const auto* stabilised = std::get_if<RungeKuttaLegendre>(&stepping);
+  if (stabilised == nullptr || broken.empty()) return 0.0;
+  const auto times = static_cast<double>(broken.count_times(0.0, problem.time.end));
+  return 4.0 * times * std::pow(1e-4 / stabilised->relative_tolerance, 0.35);
+}
+
+void estimate_steps(const Problem& problem, const TimeStepping& stepping, const Assembly& assembly, Plan& plan) {
+  HeatSystem& system = *assembly.system;
   const double fastest_rate = system.fastest_rate();
-  plan.evaluations = evaluations_for(problem, stepping, fastest_rate, plan.spacing, system.size());
+  plan.evaluations = evaluations_for(problem, stepping, fastest_rate, plan.spacing, system.size()) +
+                     breaking_evaluations(problem, stepping, assembly.geometry.body.broken);
   std::visit(
       [&](const auto& chosen) {
         plan.stable_step = chosen.stability / fastest_rate;
@@ -143,8 +155,13 @@ double expected_fastest_rate(const Problem& problem, const Grid& grid, const Ste
 
 /// What does not depend on the bonds of this very body.
 double memory_of_run(const Problem& problem) {
-  return bytes_of_fields(problem,
-                         std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
+  double bytes =
+      bytes_of_fields(problem, std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
+  if (problem.damage) {
+    const Grid grid = make_grid(problem);
+    bytes += bytes_of_break_search(grid, make_stencil(stencil_options(problem), grid.spacing, grid.dimension));
+  }
+  return bytes;
 }
 
 /// Known before anything is allocated: corrected bonds are not, but they lie near surfaces and cracks only.
@@ -217,10 +234,13 @@ Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenS
   plan.precision = name_of(problem.numerics.precision);
   plan.integrator = std::visit([](const auto& options) { return std::string(options.name); }, chosen.stepping);
   plan.integrator_reason = chosen.reason;
-  plan.memory_bytes = static_cast<std::size_t>(
-      assembly.backend == BackendName::bond ? memory_estimate(problem, assembly.backend, prepared.threads)
-                                            : memory_of_run(problem) + static_cast<double>(assembly.system->bytes()));
-  estimate_steps(problem, chosen.stepping, *assembly.system, plan);
+  const bool rows = assembly.backend == BackendName::bond;
+  plan.memory_bytes =
+      static_cast<std::size_t>(rows ? memory_estimate(problem, assembly.backend, prepared.threads) +
+                                          bytes_per_broken_bond * static_cast<double>(body.broken.size())
+                                    : memory_of_run(problem) + static_cast<double>(assembly.system->bytes())) +
+      body.broken.bytes();
+  estimate_steps(problem, chosen.stepping, assembly, plan);
   plan.duration = plan.evaluations * prepared.choice.evaluation_seconds;
   return plan;
 }

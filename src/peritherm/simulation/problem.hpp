@@ -20,6 +20,7 @@
 #include "peritherm/physics/material.hpp"
 #include "peritherm/physics/partial_volume.hpp"
 #include "peritherm/physics/self_term.hpp"
+#include "peritherm/simulation/damage_options.hpp"
 #include "peritherm/simulation/scheme.hpp"
 
 namespace peritherm {
@@ -87,7 +88,7 @@ struct NonlocalityOptions {
         optional("interface", &NonlocalityOptions::interface,
                  "conductivity of bonds between materials; default: as the scheme does, else length_weighted_harmonic"),
         optional("boundary_volumes", &NonlocalityOptions::boundary_volumes,
-                 "with how much of its cell a point on a face counts; default: as the scheme does, else whole")};
+                 "with how much of its cell a point on a face counts where nothing stands outside; default: partial")};
   }
   bool operator==(const NonlocalityOptions&) const = default;
 };
@@ -175,6 +176,7 @@ struct Problem {
   std::vector<HeatSource> sources;
   std::vector<BoundaryOptions> boundaries;
   std::vector<Crack> cracks;
+  std::optional<DamageOptions> damage;
   NumericsOptions numerics;
   TimeOptions time;
   std::vector<OutputOptions> outputs;
@@ -191,6 +193,7 @@ struct Problem {
         optional("source", &Problem::sources, "heat sources"),
         optional("boundary", &Problem::boundaries, "conditions; faces without one are insulated"),
         optional("crack", &Problem::cracks, "surfaces that interrupt heat"),
+        optional("damage", &Problem::damage, "bonds that break when a given displacement stretches them too far"),
         optional("numerics", &Problem::numerics, "backend, precision and threads"),
         required("time", &Problem::time, "end and integrator"),
         optional("output", &Problem::outputs, "what is written, and when")};

@@ -50,7 +50,7 @@ std::string kind_of() {
 template <class Value>
 constexpr bool is_schema_section(bool top) {
   if constexpr (is_list_of_tables<Value>) return true;
-  return top && (Described<Value> || is_named_tables<Value>);
+  return top && (is_table<Value> || is_named_tables<Value>);
 }
 
 /// Walks over the options of a whole file. Alternatives that were listed before are not listed again.
@@ -83,6 +83,8 @@ class SchemaLister {
     } else if constexpr (is_named_tables<Value>) {
       rows.push_back({SchemaRow::What::section, 0, "[" + key + ".NAME]", {}, {}, standard, std::string(help)});
       list_section<typename Value::mapped_type>(key + ".NAME");
+    } else if constexpr (is_optional<Value>) {
+      list_heading<typename Value::value_type>(key, needed, help);
     } else {
       rows.push_back({SchemaRow::What::section, 0, "[" + key + "]", {}, {}, standard, std::string(help)});
       list_section<Value>(key);

@@ -39,7 +39,6 @@ SchemeChoices choices_of(Scheme scheme) {
     choices.points = PointPlacement::boundary;
     choices.self_term = SelfTerm::bobaru_2012;
     choices.interface = InterfaceRule::minimum;
-    choices.boundary_volumes = BoundaryVolumes::partial;
     choices.insulated = choices.flux = Outside::flux_formula;
   } else {
     choices.partial_volumes = PartialVolumes::whole;

@@ -27,7 +27,7 @@ struct SchemeChoices {
   Calibration calibration = Calibration::discrete;
   SelfTerm self_term = SelfTerm::none;
   InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
-  BoundaryVolumes boundary_volumes = BoundaryVolumes::whole;
+  BoundaryVolumes boundary_volumes = BoundaryVolumes::partial;
   Imposed held = Imposed::mirror;       ///< of held faces
   Outside insulated = Outside::mirror;  ///< of insulated faces
   Outside flux = Outside::mirror;       ///< of faces with a prescribed flux

@@ -9,7 +9,7 @@ namespace {
 template <class Value>
 constexpr bool has_own_lines(bool top) {
   if constexpr (is_list_of_tables<Value>) return true;
-  return top && (Described<Value> || is_named_tables<Value>);
+  return top && (is_table<Value> || is_named_tables<Value>);
 }
 
 class Writer {
@@ -60,6 +60,11 @@ class Writer {
   void write_tables(const T& table, const std::string& key) {
     text_ += "\n[" + key + "]\n";
     write(table, key);
+  }
+
+  template <Described T>
+  void write_tables(const std::optional<T>& table, const std::string& key) {
+    if (table) write_tables(*table, key);
   }
 
   template <Described T>

@@ -178,10 +178,10 @@ std::string fault_of(const LayeredBar& bar, int) {
 }
 
 std::string fault_of(const HeldBox& box, int dimension) {
-  return box.size.size() == static_cast<std::size_t>(dimension)
-             ? ""
-             : "has " + std::to_string(box.size.size()) + " lengths, but the body is " + std::to_string(dimension) +
-                   "-D";
+  const std::size_t lengths = box.size.size();
+  if (lengths == static_cast<std::size_t>(dimension)) return {};
+  return "has " + std::to_string(lengths) + (lengths == 1 ? " length" : " lengths") + ", but the body is " +
+         std::to_string(dimension) + "-D";
 }
 
 std::string fault_of_slit(const Coordinates& centre, int dimension) {

@@ -144,17 +144,16 @@ double LayeredSlab::held_at_interface(std::size_t interface) const {
 
 double LayeredSlab::early_temperature(std::size_t layer, double x, double t) const {
   const double start = layers_[layer].start;
+  if (t <= 0.0) return start;
   const double depth = 2.0 * std::sqrt(layers_[layer].conductivity / layers_[layer].heat_capacity * t);
-  const auto share = [depth](double distance) {
-    return distance <= 0.0 ? 1.0 : (depth > 0.0 ? std::erfc(distance / depth) : 0.0);
-  };
+  const auto share = [depth](double distance) { return std::erfc(std::max(0.0, distance) / depth); };
   return start + (held_at_interface(layer) - start) * share(x - places_[layer]) +
          (held_at_interface(layer + 1) - start) * share(places_[layer + 1] - x);
 }
 
 double LayeredSlab::temperature(double x, double t) const {
   const std::size_t layer = layer_at(x);
-  if (t < early_) return early_temperature(layer, x, std::max(0.0, t));
+  if (t < early_) return early_temperature(layer, x, t);
   const double slowness = std::sqrt(layers_[layer].heat_capacity / layers_[layer].conductivity);
   double sum = 0.0;
   for (std::size_t n = 0; n < rates_.size() && rates_[n] * t < negligible_exponent + rates_.front() * t; ++n) {

@@ -160,7 +160,8 @@ double nonlocal_factor_slope(double z) {
   if (size < series_end) return slope_series(z);
   if (std::isinf(size)) return 0.0;
   const double half = std::sin(0.5 * size);
-  return std::copysign((4.0 * half * half / (size * size) - nonlocal_factor(size)) / size, z);
+  const double slope = (4.0 * half * half / (size * size) - nonlocal_factor(size)) / size;
+  return z < 0.0 ? -slope : slope;
 }
 
 double nonlocal_slab_with_held_ends(const NonlocalSlab& slab, double x, double t) {

@@ -41,6 +41,10 @@ HeatSystem::HeatSystem(HeatSystemParts parts) : parts_(std::move(parts)), field_
 /// Per entry: the boundary that holds it, fictitious entries by what they follow; −1 for none.
 std::vector<std::int16_t> HeatSystem::holders() const {
   std::vector<std::int16_t> holder(field_size_, -1);
+  const Followers& followers = parts_.ghosts->followers();
+  for (std::size_t n = 0; n < followers.size(); ++n) {
+    holder[static_cast<std::size_t>(followers.entries[n])] = followers.boundaries[n];
+  }
   for (const GhostRun& run : parts_.ghosts->runs()) {
     for (std::int64_t k = 0; k < run.length; ++k) {
       holder[static_cast<std::size_t>(run.target + k)] =
@@ -99,7 +103,8 @@ void HeatSystem::measure_changing(Account& account) {
 }
 
 bool HeatSystem::begin_step(double from, double to) {
-  if (!parts_.conduction->average_over(from, to)) return false;
+  const bool ties_change = parts_.ghosts->average_over(from, to);
+  if (!parts_.conduction->average_over(from, to)) return ties_change;
   for (Account& account : accounts_) {
     if (!account.changing_points.empty()) measure_changing(account);
   }
@@ -109,7 +114,8 @@ bool HeatSystem::begin_step(double from, double to) {
 void HeatSystem::fill(double time, Field temperature) {
   parts_.wall_temperatures.update(time);
   parts_.exchange_values.update(time);
-  parts_.ghosts->fill(parts_.wall_temperatures.values(), temperature.first(field_size_));
+  parts_.ghosts->fill(parts_.wall_temperatures.values(), parts_.exchange_values.values(),
+                      temperature.first(field_size_));
 }
 
 /// Adds a row's rates to the load; returns its heat rate [W].
@@ -195,7 +201,7 @@ void HeatSystem::combine(double time, Field temperature, double rate_weight, Ter
 void HeatSystem::combine(const Load& load, Field temperature, double rate_weight, Terms terms, Field result,
                          Accumulations accumulations) {
   const Field field = temperature.first(field_size_);
-  parts_.ghosts->fill(load.walls, field);
+  parts_.ghosts->fill(load.walls, load.exchanges, field);
   for (const Accumulation& more : accumulations) {
     for (std::size_t n = field_size_; n < result.size(); ++n) {
       more.target[n] += more.temperature_weight * temperature[n] + more.result_weight * result[n];
@@ -255,7 +261,9 @@ double HeatSystem::bound_fastest_rate() const {
   return rate + fastest_loss;
 }
 
-/// Cracks that grow only take conductances away, so what holds now holds later.
+/// Cracks that grow only take conductances away, so what holds now holds later. A follower's temperature is a mean of
+/// others' (with weights of sizes that sum to 1 at most), so putting it in place leaves Gershgorin's discs no larger;
+/// an estimate that needs symmetry is left out then.
 double HeatSystem::fastest_rate() {
   if (fastest_rate_ > 0.0) return fastest_rate_;
   fastest_rate_ = bound_fastest_rate();
@@ -263,7 +271,7 @@ double HeatSystem::fastest_rate() {
   // Small bodies cost little anyway, and may fall into pieces whose decays an estimate does not see.
   constexpr std::size_t fewest_points = 10000;
   const std::size_t points = parts_.conduction->free_points();
-  if (!sharp && points >= fewest_points) {
+  if (!sharp && parts_.symmetric && points >= fewest_points) {
     const double estimate = estimate_fastest_rate(*this, points);
     if (estimate > 0.0) fastest_rate_ = std::min(fastest_rate_, estimate);
   }

@@ -50,6 +50,8 @@ struct HeatSystemParts {
   std::vector<std::vector<ConductionOperator::Stretch>> near_held;
   double spectral_bound = 0.0;  ///< known bound of the fastest rate of conduction [1/s]; 0: none
   double rate_rounding = 0x1p-53;
+  /// Heat that i gives to j for a difference is what j would give to i. False where points follow others.
+  bool symmetric = true;
   bool bound_is_sharp = false;  ///< to a few per mille, so that no estimate would gain anything
 };
 
@@ -65,6 +67,7 @@ class HeatSystem final : public ThermalSystem {
   void combine_linear(int k, Field temperature, double rate_weight, Terms terms, Field result,
                       Accumulations accumulations = {}) override;
   double heat_product(ConstField a, ConstField b) const override;
+  bool is_symmetric() const override { return parts_.symmetric; }
   std::size_t field_size() const override { return field_size_; }
   double rms(Terms terms) const override;
   Extremes extremes(ConstField temperature) const override;

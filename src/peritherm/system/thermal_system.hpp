@@ -36,7 +36,11 @@ class ThermalSystem {
   virtual void combine_linear(int k, Field temperature, double rate_weight, Terms terms, Field result,
                               Accumulations accumulations = {}) = 0;
 
-  /// Σ C a b over the free points, the product in which the linear part is symmetric (without the heat accounts).
+  /// Whether the linear part is symmetric in the heat product (without the heat accounts), so that its eigenvalues are
+  /// real and conjugate gradients apply.
+  virtual bool is_symmetric() const { return true; }
+
+  /// Σ C a b over the free points.
   virtual double heat_product(ConstField a, ConstField b) const = 0;
 
   /// Entries of a state that are temperatures; heat accounts stand behind them.

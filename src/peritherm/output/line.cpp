@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "peritherm/base/file.hpp"
+#include "peritherm/output/chart.hpp"
+#include "peritherm/output/csv.hpp"
+#include "peritherm/output/interpolation.hpp"
+#include "peritherm/output/observer.hpp"
+#include "peritherm/output/section.hpp"
+
+namespace peritherm {
+namespace {
+
+/// The temperature along the line at one time.
+struct Profile1D {
+  double time = 0.0;
+  std::vector<double> temperature;
+  std::vector<double> exact;  ///< empty if there is none
+  std::vector<double> curve;  ///< the exact ones at evenly spaced places, to be drawn
+};
+
+/// No number where the nearest point was cut away.
+double temperature_between_points(const Snapshot& snapshot, const Point& place) {
+  const Grid& grid = snapshot.grid;
+  GridIndex nearest{};
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const double layer = (place[axis] - grid.origin[axis]) / grid.spacing - grid.first_depth();
+    nearest[axis] = std::clamp(static_cast<int>(std::lround(layer)), 0, grid.count(axis) - 1);
+  }
+  const double there = snapshot.temperature[grid.number(nearest)];
+  return std::isnan(there) ? there : interpolate(grid, snapshot.temperature, place);
+}
+
+std::vector<double> temperatures_at(const Snapshot& snapshot, const std::vector<Point>& places) {
+  std::vector<double> values;
+  if (snapshot.grid.dimension == 2) {
+    // Cracks of plates part what is on their sides.
+    const Section section = make_section(snapshot, PictureOutput{});
+    const SectionSampler sample(section, Smoothing::bilinear);
+    for (const Point& place : places) values.push_back(sample({place[0], place[1]}));
+  } else {
+    for (const Point& place : places) values.push_back(temperature_between_points(snapshot, place));
+  }
+  return values;
+}
+
+Unit unit_of(const Grid& grid) { return length_unit(std::max({grid.length(0), grid.length(1), grid.length(2)})); }
+
+std::vector<std::string> line_columns(const LineOutput& options, int dimension) {
+  std::vector<std::string> columns{"time", "x", "y", "z"};
+  columns.resize(1 + static_cast<std::size_t>(dimension));
+  columns.emplace_back("temperature");
+  if (options.exact) columns.emplace_back("exact");
+  return columns;
+}
+
+double largest_difference_of(const Profile1D& profile) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < profile.exact.size(); ++i) {
+    const double difference = std::abs(profile.temperature[i] - profile.exact[i]);
+    if (!std::isnan(difference)) largest = std::max(largest, difference);
+  }
+  return largest;
+}
+
+/// The axis along which a line runs; −1 if it is oblique.
+int axis_of(const LineEnds& ends, const Grid& grid) {
+  int found = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(ends.from[axis] - ends.to[axis]) <= 1e-9 * grid.spacing) continue;
+    if (found >= 0) return -1;
+    found = axis;
+  }
+  return found;
+}
+
+std::vector<Point> even_places(const LineEnds& ends, int count) {
+  std::vector<Point> places(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      places[static_cast<std::size_t>(i)][axis] = std::lerp(ends.from[axis], ends.to[axis], share);
+    }
+  }
+  return places;
+}
+
+/// The ends and what stands between them: the layers of points along an axis, or as many even steps.
+std::vector<Point> places_on_points(const LineEnds& ends, const Grid& grid) {
+  const int axis = axis_of(ends, grid);
+  const double length = std::hypot(ends.to[0] - ends.from[0], ends.to[1] - ends.from[1], ends.to[2] - ends.from[2]);
+  if (axis < 0) return even_places(ends, std::max(2, 1 + static_cast<int>(std::lround(length / grid.spacing))));
+  std::vector<Point> places{ends.from};
+  const double low = std::min(ends.from[axis], ends.to[axis]) + 1e-6 * grid.spacing;
+  const double high = std::max(ends.from[axis], ends.to[axis]) - 1e-6 * grid.spacing;
+  for (int layer = 0; layer < grid.count(axis); ++layer) {
+    const double place = grid.origin[axis] + (layer + grid.first_depth()) * grid.spacing;
+    if (place <= low || place >= high) continue;
+    places.push_back(ends.from);
+    places.back()[axis] = place;
+  }
+  if (ends.from[axis] > ends.to[axis]) std::reverse(places.begin() + 1, places.end());
+  places.push_back(ends.to);
+  return places;
+}
+
+/// The coordinate along a line that is parallel to an axis, else the distance from its beginning.
+std::vector<double> abscissae(const std::vector<Point>& places, const LineEnds& ends, const Grid& grid) {
+  const Unit unit = unit_of(grid);
+  const int axis = axis_of(ends, grid);
+  std::vector<double> values;
+  for (const Point& place : places) {
+    const double distance = std::hypot(place[0] - ends.from[0], place[1] - ends.from[1], place[2] - ends.from[2]);
+    values.push_back((axis >= 0 ? place[axis] : distance) / unit.size);
+  }
+  return values;
+}
+
+std::string abscissa_label(const LineEnds& ends, const Grid& grid) {
+  const int axis = axis_of(ends, grid);
+  const std::string in_unit = " [" + std::string(unit_of(grid).symbol) + "]";
+  return (axis >= 0 ? std::string(1, "xyz"[axis]) : "distance along the line") + in_unit;
+}
+
+/// Where a line stands across its direction: "y = 5 mm".
+std::string place_text(const LineEnds& ends, const Grid& grid) {
+  const Unit unit = unit_of(grid);
+  std::string text;
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    if (std::abs(ends.from[axis] - ends.to[axis]) > 1e-9 * grid.spacing) continue;
+    text += text.empty() ? "" : ", ";
+    text += std::string(1, "xyz"[axis]) + " = " + rounded_text(ends.from[axis] / unit.size, 4) + ' ' +
+            std::string(unit.symbol);
+  }
+  return text;
+}
+
+/// Few enough markers to tell them apart, the same for every curve.
+Curve thinned(const Curve& curve, std::size_t most) {
+  Curve result = curve;
+  const std::size_t stride = (curve.x.size() + most - 1) / most;
+  if (stride <= 1) return result;
+  result.x.clear();
+  result.y.clear();
+  for (std::size_t i = 0; i < curve.x.size(); i += stride) {
+    result.x.push_back(curve.x[i]);
+    result.y.push_back(curve.y[i]);
+  }
+  return result;
+}
+
+class LineObserver final : public Observer {
+ public:
+  LineObserver(LineOutput options, std::filesystem::path folder)
+      : options_(std::move(options)), folder_(std::move(folder)) {
+    if (options_.exact) exact_ = make_temperature(*options_.exact);
+  }
+
+  void observe(const Snapshot& snapshot) override {
+    if (!table_) begin(snapshot);
+    Profile1D profile{snapshot.time, temperatures_at(snapshot, places_), {}, {}};
+    if (exact_) {
+      for (const Point& place : places_) profile.exact.push_back(exact_(place, snapshot.time));
+      for (const Point& place : even_places(ends_, curve_places)) profile.curve.push_back(exact_(place, snapshot.time));
+    }
+    append(profile, snapshot.grid.dimension);
+    keep(std::move(profile));
+    save_chart(chart_of(snapshot), options_.width, picture());
+  }
+
+  std::vector<std::filesystem::path> files() const override {
+    if (!table_) return {};
+    return {table_->path(), picture()};
+  }
+
+ private:
+  std::filesystem::path picture() const { return folder_ / "pictures" / (file_stem(options_) + ".png"); }
+
+  void begin(const Snapshot& snapshot) {
+    make_folder(folder_ / "pictures");
+    table_.emplace(folder_ / (file_stem(options_) + ".csv"), line_columns(options_, snapshot.grid.dimension));
+    ends_ = ends_of(options_, snapshot.grid);
+    places_ = options_.samples ? even_places(ends_, *options_.samples) : places_on_points(ends_, snapshot.grid);
+  }
+
+  void append(const Profile1D& profile, int dimension) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      std::vector<double> row{profile.time};
+      row.insert(row.end(), places_[i].begin(), places_[i].begin() + dimension);
+      row.push_back(profile.temperature[i]);
+      if (exact_) row.push_back(profile.exact[i]);
+      table_->append(row);
+    }
+  }
+
+  /// The picture shows times in even steps and the last one.
+  void keep(Profile1D profile) {
+    if (seen_ % stride_ == 0 && kept_.size() == most_curves) {
+      for (std::size_t i = 1; 2 * i < kept_.size(); ++i) kept_[i] = std::move(kept_[2 * i]);
+      kept_.resize((kept_.size() + 1) / 2);
+      stride_ *= 2;
+    }
+    latest_ = std::move(profile);
+    latest_is_kept_ = seen_ % stride_ == 0;
+    if (latest_is_kept_) kept_.push_back(latest_);
+    ++seen_;
+  }
+
+  Chart chart_of(const Snapshot& snapshot) const {
+    Chart chart;
+    chart.title = snapshot.title;
+    const std::string place = place_text(ends_, snapshot.grid);
+    if (!place.empty()) chart.title += (chart.title.empty() ? "" : ",  ") + place;
+    chart.x.label = abscissa_label(ends_, snapshot.grid);
+    chart.y.label = "temperature";
+    int number = 0;
+    for (const Profile1D& profile : kept_) add(chart, profile, snapshot.grid, number++);
+    if (!latest_is_kept_) add(chart, latest_, snapshot.grid, number);
+    if (options_.exact) {
+      const std::string name(std::visit([](const auto& chosen) { return chosen.name; }, *options_.exact));
+      chart.notes.push_back("Markers: computed. Lines: exact solution '" + name +
+                            "'. The differences are the largest along the line.");
+    }
+    return chart;
+  }
+
+  void add(Chart& chart, const Profile1D& profile, const Grid& grid, int number) const {
+    Curve computed{time_text(profile.time), abscissae(places_, ends_, grid), profile.temperature, CurveStyle::line,
+                   number};
+    if (options_.exact) {
+      const std::vector<Point> places = even_places(ends_, curve_places);
+      chart.curves.push_back({{}, abscissae(places, ends_, grid), profile.curve, CurveStyle::line, number});
+      // At the start the ends have two temperatures.
+      if (profile.time > 0.0) computed.name += ": difference " + rounded_text(largest_difference_of(profile), 2);
+      computed.style = CurveStyle::dots;
+      computed = thinned(computed, most_markers);
+    }
+    chart.curves.push_back(std::move(computed));
+  }
+
+  static constexpr int curve_places = 301;
+  static constexpr std::size_t most_curves = 7;
+  static constexpr std::size_t most_markers = 31;
+
+  LineOutput options_;
+  std::filesystem::path folder_;
+  TemperatureAt exact_;
+  std::optional<CsvTable> table_;
+  LineEnds ends_{};
+  std::vector<Point> places_;
+  std::vector<Profile1D> kept_;
+  Profile1D latest_;
+  bool latest_is_kept_ = false;
+  std::size_t seen_ = 0;
+  std::size_t stride_ = 1;
+};
+
+}  // namespace
+
+std::string file_stem(const LineOutput& options) { return "line_" + options.stem; }
+
+LineEnds ends_of(const LineOutput& options, const Grid& grid) {
+  LineEnds ends{};
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const double middle = grid.origin[axis] + 0.5 * grid.length(axis);
+    ends.from[axis] = axis == 0 ? grid.origin[axis] : middle;
+    ends.to[axis] = axis == 0 ? grid.origin[axis] + grid.length(axis) : middle;
+  }
+  if (options.from) ends.from = to_point(*options.from);
+  if (options.to) ends.to = to_point(*options.to);
+  return ends;
+}
+
+std::unique_ptr<Observer> make_observer(const LineOutput& options, const std::filesystem::path& folder) {
+  return std::make_unique<LineObserver>(options, folder);
+}
+
+}  // namespace peritherm

@@ -1,0 +1,108 @@
+#include "peritherm/output/chart.hpp"
+
+#include <cairo/cairo.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "unit/output/output_fixture.hpp"
+
+namespace peritherm {
+namespace {
+
+/// Number of pixels of a colour in a PNG, and its height.
+struct ChartPixels {
+  explicit ChartPixels(const std::filesystem::path& path) {
+    cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
+    width = cairo_image_surface_get_width(surface);
+    height = cairo_image_surface_get_height(surface);
+    const unsigned char* data = cairo_image_surface_get_data(surface);
+    for (int j = 0; j < height; ++j) {
+      const auto* row = reinterpret_cast<const std::uint32_t*>(data + j * cairo_image_surface_get_stride(surface));
+      for (int i = 0; i < width; ++i) pixels.push_back(row[i] & 0xffffffU);
+    }
+    cairo_surface_destroy(surface);
+  }
+  long count(std::uint32_t colour) const { return std::count(pixels.begin(), pixels.end(), colour); }
+
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> pixels;
+};
+
+constexpr std::uint32_t first_curve = 0x1d4e9e;
+constexpr std::uint32_t second_curve = 0xc8372d;
+
+class ChartTest : public OutputTest {
+ protected:
+  ChartPixels draw(const Chart& chart, int width = 600) {
+    save_chart(chart, width, folder_ / "chart.png");
+    return ChartPixels(folder_ / "chart.png");
+  }
+};
+
+TEST_F(ChartTest, curves_have_colours_of_their_own_and_legends_make_it_taller) {
+  Chart chart;
+  chart.curves = {{"", {0.0, 1.0}, {0.0, 1.0}}, {"", {0.0, 1.0}, {1.0, 0.0}}};
+  const ChartPixels bare = draw(chart);
+  EXPECT_EQ(bare.width, 600);
+  EXPECT_GT(bare.count(first_curve), 50);
+  EXPECT_GT(bare.count(second_curve), 50);
+  chart.curves[0].name = "first";
+  chart.notes = {"what it says"};
+  EXPECT_GT(draw(chart).height, bare.height);
+  chart.curves[1].colour = 0;
+  EXPECT_EQ(draw(chart).count(second_curve), 0);
+}
+
+TEST_F(ChartTest, a_power_is_a_straight_line_on_logarithmic_axes) {
+  Chart line;
+  line.curves = {{"", {0.0, 2.0}, {0.0, 4.0}}};
+  line.x = {"x", AxisScale::linear, 0.0, 2.0};
+  line.y = {"y", AxisScale::linear, 0.0, 4.0};
+  Chart power;
+  power.curves = {{"", {1.0, 10.0, 100.0}, {1.0, 100.0, 1e4}}};
+  power.x = {"x", AxisScale::logarithmic, 1.0, 100.0};
+  power.y = {"y", AxisScale::logarithmic, 1.0, 1e4};
+  // Margins differ with the labels, by less than a tenth.
+  const double ratio =
+      static_cast<double>(draw(power).count(first_curve)) / static_cast<double>(draw(line).count(first_curve));
+  EXPECT_NEAR(ratio, 1.0, 0.1);
+}
+
+TEST_F(ChartTest, missing_values_and_what_a_logarithm_cannot_show_interrupt_a_curve) {
+  Chart chart;
+  chart.y.scale = AxisScale::logarithmic;
+  chart.curves = {{"", {0.0, 1.0, 2.0, 3.0, 4.0}, {1.0, 2.0, 3.0, 4.0, 5.0}}};
+  const long whole = draw(chart).count(first_curve);
+  chart.curves[0].y = {1.0, 2.0, 0.0, 4.0, 5.0};
+  const long without_zero = draw(chart).count(first_curve);
+  chart.curves[0].y = {1.0, 2.0, not_a_number, 4.0, 5.0};
+  const long without_number = draw(chart).count(first_curve);
+  EXPECT_LT(without_zero, 0.75 * whole);
+  EXPECT_EQ(without_zero, without_number);
+}
+
+TEST_F(ChartTest, charts_without_values_or_with_equal_ones_are_drawn) {
+  Chart chart;
+  EXPECT_EQ(draw(chart).width, 600);
+  chart.curves = {{"one", {2.0}, {3.0}, CurveStyle::dots}};
+  EXPECT_GT(draw(chart).count(first_curve), 10);
+  chart.x.scale = chart.y.scale = AxisScale::logarithmic;
+  EXPECT_GT(draw(chart).count(first_curve), 10);
+}
+
+TEST_F(ChartTest, long_titles_and_notes_are_wrapped_between_words) {
+  const std::string text = "several words that do not fit on one line";
+  const auto lines = wrapped(text, 20.0, 200.0);
+  ASSERT_GT(lines.size(), 1U);
+  std::string joined;
+  for (const std::string& line : lines) {
+    EXPECT_LE(text_width(line, 20.0), 200.0);
+    joined += (joined.empty() ? "" : " ") + line;
+  }
+  EXPECT_EQ(joined, text);
+}
+
+}  // namespace
+}  // namespace peritherm
