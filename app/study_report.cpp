@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <ostream>
-#include <tuple>
+#include <vector>
 
 #include "text.hpp"
 
@@ -37,28 +36,34 @@ std::string series_text(const ConvergenceSeries& series) {
   return text + "   rate " + figure(series.rate, "{:.2f}") + '\n';
 }
 
-/// Series of one axis, time and parameters share a heading.
-std::string all_series_text(const StudySummary& summary) {
+/// Series of one axis and time, below a heading for each list of parameters.
+std::string axis_text(const StudySummary& summary, const std::string& axis, double time) {
   std::string text;
   const ConvergenceSeries* last = nullptr;
-  std::vector<const ConvergenceSeries*> ordered;
-  for (const ConvergenceSeries& series : summary.series) ordered.push_back(&series);
-  const auto order = [&summary](const ConvergenceSeries* series) {
-    const auto first = std::find_if(summary.series.begin(), summary.series.end(),
-                                    [series](const auto& other) { return other.axis == series->axis; });
-    return std::tuple(first - summary.series.begin(), series->time);
-  };
-  std::stable_sort(ordered.begin(), ordered.end(),
-                   [&order](const auto* a, const auto* b) { return order(a) < order(b); });
-  for (const ConvergenceSeries* series : ordered) {
-    if (last == nullptr || last->axis != series->axis || last->time != series->time ||
-        last->parameters != series->parameters) {
-      text += fmt::format("\nt = {}, by {}\n  {:<{}}", quantity(series->time, "s"), series->axis, "", name_width);
-      for (const double value : series->parameters) text += cell(parameter_text(series->axis, value), column_width);
+  for (const ConvergenceSeries& series : summary.series) {
+    if (series.axis != axis || series.time != time) continue;
+    if (last == nullptr || last->parameters != series.parameters) {
+      text += fmt::format("\nt = {}, by {}\n  {:<{}}", quantity(time, "s"), axis, "", name_width);
+      for (const double value : series.parameters) text += cell(parameter_text(axis, value), column_width);
       text += '\n';
     }
-    text += series_text(*series);
-    last = series;
+    text += series_text(series);
+    last = &series;
+  }
+  return text;
+}
+
+/// The last time of every axis; rates.csv has them all.
+std::string all_series_text(const ReadStudy& read, const StudySummary& summary) {
+  std::string text;
+  std::vector<std::string> told;
+  for (const ConvergenceSeries& series : summary.series) {
+    if (std::find(told.begin(), told.end(), series.axis) != told.end()) continue;
+    told.push_back(series.axis);
+    text += axis_text(summary, series.axis, read.study.times.back());
+  }
+  if (!told.empty() && read.study.times.size() > 1) {
+    text += fmt::format("\nthe other {} in rates.csv\n", read.study.times.size() == 2 ? "time stands" : "times stand");
   }
   return text;
 }
@@ -101,7 +106,7 @@ std::string intersection_text(const ReadStudy& read, const IntersectionResult& r
   text += fmt::format(
       "  the rerun is {:.2f} times as exact (rms); with its six runs it takes {:.2f} of the bonds, {:.2f} of "
       "the bond evaluations\n",
-      result.single->rms / result.rerun->rms, result.cost(), result.bond_cost());
+      result.single->rms / result.rerun->rms, result.cost(), result.evaluation_cost());
   return text;
 }
 
@@ -127,7 +132,7 @@ std::string study_heading(const ReadStudy& read) {
 }
 
 std::string study_text(const ReadStudy& read, const StudySummary& summary, const std::filesystem::path& folder) {
-  std::string text = all_series_text(summary);
+  std::string text = all_series_text(read, summary);
   for (const IntersectionResult& result : summary.intersections) text += intersection_text(read, result);
   text += '\n';
   for (const TimeError& error : summary.time_errors) {

@@ -10,7 +10,10 @@ endforeach()
 
 add_test(NAME cli.interrupt COMMAND ${PERITHERM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/cli/interrupt.py
                                     $<TARGET_FILE:peritherm_program>)
-set_tests_properties(cli.interrupt PROPERTIES LABELS cli TIMEOUT 120 ENVIRONMENT "${test_environment}")
+add_test(NAME cli.interrupt_study COMMAND ${PERITHERM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/cli/interrupt_study.py
+                                          $<TARGET_FILE:peritherm_program>)
+set_tests_properties(cli.interrupt cli.interrupt_study PROPERTIES LABELS cli TIMEOUT 120
+                                                                  ENVIRONMENT "${test_environment}")
 
 add_test(NAME tools.check_rooms_finds_what_it_should
          COMMAND ${PERITHERM_PYTHON} ${PROJECT_SOURCE_DIR}/tools/test_check_rooms.py)

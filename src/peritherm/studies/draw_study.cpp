@@ -29,6 +29,13 @@ std::string file_word(const std::string& name) {
   return word;
 }
 
+bool shows_anything(const Chart& chart) {
+  const double least = chart.y.scale == AxisScale::logarithmic ? 0.0 : -HUGE_VAL;
+  return std::any_of(chart.curves.begin(), chart.curves.end(), [least](const Curve& curve) {
+    return std::any_of(curve.y.begin(), curve.y.end(), [least](double y) { return y > least && std::isfinite(y); });
+  });
+}
+
 /// Saves charts under names that differ.
 class Portfolio {
  public:
@@ -36,7 +43,7 @@ class Portfolio {
       : folder_(std::move(folder)), files_(files) {}
 
   void save(const Chart& chart, const std::string& name) {
-    if (std::all_of(chart.curves.begin(), chart.curves.end(), [](const Curve& c) { return c.x.empty(); })) return;
+    if (!shows_anything(chart)) return;
     if (files_of_mine_++ == 0) make_folder(folder_);
     std::string stem = file_word(name);
     for (int copy = 2; !taken_.insert(stem).second; ++copy) stem = file_word(name) + "-" + std::to_string(copy);

@@ -85,10 +85,10 @@ std::optional<CurveCrossing> find_crossing(const std::array<double, 3>& ratios, 
 }
 
 double IntersectionResult::cost() const {
-  return cost_ratio(*this, [](const RunQuality& run) { return run.points_times_ratio(); });
+  return cost_ratio(*this, [](const RunQuality& run) { return run.bonds; });
 }
 
-double IntersectionResult::bond_cost() const {
+double IntersectionResult::evaluation_cost() const {
   return cost_ratio(*this, [](const RunQuality& run) { return run.bonds * run.evaluations; });
 }
 

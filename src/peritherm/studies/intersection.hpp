@@ -37,7 +37,6 @@ struct RunQuality {
   double points = 0.0, bonds = 0.0, evaluations = 0.0;
   double rms = 0.0, maximum = 0.0, at_place = 0.0;  ///< errors [K]; the last with its sign
   std::vector<double> x, differences;               ///< places [m] and computed − reference of a bar, or of the line
-  double points_times_ratio() const { return points * horizon_ratio; }  ///< N m, the cost measure of [mei2021]
 };
 
 /// The strategy of [mei2021] for one variant of the case.
@@ -49,9 +48,9 @@ struct IntersectionResult {
   std::vector<RunQuality> coarse;    ///< the six runs, horizon by horizon
   std::optional<RunQuality> rerun;   ///< at the crossing's ratio
   std::optional<RunQuality> single;  ///< the fine run
-  /// Six runs and rerun together over the single one, by N m; 0 if there is no single one.
+  /// Bonds of the six runs and the rerun together over those of the single one, N m in 1-D; 0 if there is none.
   double cost() const;
-  double bond_cost() const;  ///< the same by bonds times evaluations
+  double evaluation_cost() const;  ///< the same by bonds times evaluations
 };
 
 /// Runs of the strategy for one variant: the six coarse ones, then the single one if there is one.

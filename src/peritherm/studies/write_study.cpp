@@ -141,7 +141,6 @@ Json quality_json(const RunQuality& run) {
           {"points", run.points},
           {"bonds", run.bonds},
           {"evaluations", run.evaluations},
-          {"points_times_ratio", run.points_times_ratio()},
           {"rms_error", number_or_null(run.rms)},
           {"maximum_error", number_or_null(run.maximum)},
           {"error_at_place", number_or_null(run.at_place)}};
@@ -161,8 +160,8 @@ Json intersection_json(const IntersectionResult& result) {
   if (result.rerun) json["rerun"] = quality_json(*result.rerun);
   if (result.single) json["single_run"] = quality_json(*result.single);
   if (result.rerun && result.single) {
-    json["cost_by_points_times_ratio"] = result.cost();
-    json["cost_by_bond_evaluations"] = result.bond_cost();
+    json["cost_by_bonds"] = result.cost();
+    json["cost_by_bond_evaluations"] = result.evaluation_cost();
     json["rms_gain"] = result.single->rms / result.rerun->rms;
   }
   for (const LocatedCrossing& at : result.along) json["along"].push_back(crossing_json(at));

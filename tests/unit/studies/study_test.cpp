@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "peritherm/simulation/check.hpp"
+#include "peritherm/studies/run_study.hpp"
+#include "support/study_folder.hpp"
+
+namespace peritherm {
+namespace {
+
+constexpr const char* study_head = "format = 1\ncase = \"case.toml\"\n";
+
+ReadStudy bar_study(const StudyFolder& folder, const std::string& body,
+                    const std::string& reference = exact_reference) {
+  folder.write("case.toml", study_bar);
+  return read_study(study_head + body + reference, folder.file("study.toml"));
+}
+
+/// What reading says about a study that has faults.
+std::string study_faults(const StudyFolder& folder, const std::string& text) {
+  folder.write("case.toml", study_bar);
+  try {
+    read_study(text, folder.file("study.toml"));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Study, horizons_at_fixed_ratio_and_ratios_at_fixed_horizon_follow_from_the_case) {
+  const StudyFolder folder("axes");
+  const ReadStudy delta = bar_study(folder, "[vary]\nhorizon = [0.2, 0.1]\n");
+  ASSERT_EQ(delta.runs.size(), 2U);
+  EXPECT_DOUBLE_EQ(delta.runs[1].horizon_ratio, 4.0);
+  EXPECT_EQ(make_grid(delta.runs[1].problem).cells[0], 40);
+  const ReadStudy m = bar_study(folder, "[vary]\nhorizon_ratio = [2, 4, 8]\n");
+  EXPECT_DOUBLE_EQ(m.runs[2].horizon, 0.2);  // The case's own: four spacings of 1/20.
+  EXPECT_EQ(make_grid(m.runs[2].problem).cells[0], 40);
+  const ReadStudy rounded = bar_study(folder, "[vary]\nhorizon = [0.03, 0.02]\nhorizon_ratio = [2.5]\n");
+  EXPECT_DOUBLE_EQ(rounded.runs[0].horizon_ratio, 2.5);
+  EXPECT_EQ(make_grid(rounded.runs[0].problem).cells[0], 83);  // 2.5/0.03 is no whole number; the ratio stays.
+}
+
+TEST(Study, reaches_the_classical_solution_with_order_two) {
+  const StudyFolder folder("order");
+  const ReadStudy read =
+      bar_study(folder, "norms = [\"relative_l2\", \"maximum\"]\n[vary]\nhorizon = [0.2, 0.1, 0.05]\n");
+  const StudySummary summary = run_study(read, folder.settings());
+  EXPECT_EQ(summary.status, "completed");
+  ASSERT_EQ(summary.series.size(), 2U);
+  for (const ConvergenceSeries& series : summary.series) EXPECT_NEAR(series.rate, 2.0, 0.1) << series.quantity;
+  ASSERT_EQ(summary.time_errors.size(), 1U);
+  // The integrator's error is beside the point: below a thousandth of the smallest error in space.
+  EXPECT_LT(summary.time_errors[0].difference, 1e-3 * summary.series[1].errors.back());
+  for (const char* name : {"study.csv", "rates.csv", "study.json"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
+  }
+}
+
+TEST(Study, the_finest_run_as_reference_has_no_error_of_its_own) {
+  const StudyFolder folder("finest");
+  const ReadStudy read = bar_study(folder, "[vary]\nhorizon = [0.2, 0.1, 0.05]\n", "[reference]\ntype = \"finest\"\n");
+  const StudySummary summary = run_study(read, folder.settings());
+  ASSERT_EQ(summary.series.size(), 1U);
+  EXPECT_TRUE(std::isnan(summary.series[0].errors.back()));
+  EXPECT_GT(summary.series[0].rate, 1.5);
+}
+
+TEST(Study, forward_euler_is_of_first_order_in_the_time_step) {
+  const StudyFolder folder("steps");
+  const ReadStudy read = bar_study(
+      folder, "set = [\"time.integrator=euler\", \"time.end=0.01\"]\n[vary]\ntime_step = [2e-4, 1e-4, 5e-5]\n",
+      "[reference]\ntype = \"finest\"\n");
+  const StudySummary summary = run_study(read, folder.settings());
+  ASSERT_EQ(summary.series.size(), 1U);
+  // Against the step h/4 errors of a method of first order are 3 : 1 for the steps h and h/2.
+  EXPECT_NEAR(summary.series[0].errors[0] / summary.series[0].errors[1], 3.0, 0.2);
+}
+
+TEST(Study, what_was_finished_before_an_interruption_is_not_run_again) {
+  const StudyFolder folder("resumed");
+  const ReadStudy read = bar_study(folder, "[vary]\nhorizon = [0.2, 0.1, 0.05]\n");
+  StudySettings settings = folder.settings();
+  std::size_t finished = 0;
+  settings.pool.on_progress = [&finished](const StudyProgress& progress) { finished = progress.finished; };
+  settings.pool.stop_requested = [&finished] { return finished >= 2; };
+  const StudySummary stopped = run_study(read, settings);
+  EXPECT_EQ(stopped.status, "stopped");
+  EXPECT_EQ(stopped.rows.size(), 2U);
+  const StudySummary again = run_study(read, folder.settings());
+  EXPECT_EQ(again.status, "completed");
+  EXPECT_EQ(again.reused, 2U);
+  EXPECT_EQ(again.rows.size(), 3U);
+  const StudySummary third = run_study(read, folder.settings());
+  EXPECT_EQ(third.reused, third.runs);
+}
+
+TEST(Study, several_threads_give_the_temperatures_of_one) {
+  const StudyFolder folder("threads"), other("threads_alone");
+  const std::string body = "[vary]\nhorizon = [0.2, 0.1, 0.05]\nhorizon_ratio = [2, 3, 4]\n";
+  StudySettings settings = folder.settings();
+  settings.pool.threads = 3;
+  const StudySummary together = run_study(bar_study(folder, body), settings);
+  const StudySummary alone = run_study(bar_study(other, body), other.settings());
+  ASSERT_EQ(together.rows.size(), alone.rows.size());
+  for (std::size_t n = 0; n < alone.rows.size(); ++n) EXPECT_EQ(together.rows[n].errors, alone.rows[n].errors);
+}
+
+TEST(Study, a_run_that_fails_leaves_the_others_alone) {
+  const StudyFolder folder("failing");
+  const ReadStudy read = bar_study(folder, "set = [\"time.integrator=rk4\"]\n[vary]\ntime_step = [10, 1e-5, 2e-5]\n");
+  const StudySummary summary = run_study(read, folder.settings());
+  EXPECT_EQ(summary.status, "failed");
+  EXPECT_EQ(summary.failures.size(), 1U);
+  EXPECT_EQ(summary.rows.size(), 2U);
+}
+
+TEST(Study, a_table_of_results_is_compared_at_its_own_places) {
+  const StudyFolder folder("table");
+  folder.write("known.csv", "x,t,T\n0.25,0.1,0.4\n0.5,0.1,0.5\n");
+  const std::string reference = "[reference]\ntype = \"results\"\nfile = \"known.csv\"\n";
+  const ReadStudy read = bar_study(folder, "norms = [\"maximum\"]\n[vary]\nhorizon = [0.2, 0.1]\n", reference);
+  const StudySummary summary = run_study(read, folder.settings());
+  const Solution& solution = *summary.results[0].solution;
+  const double expected =
+      std::max(std::abs(solution.at(0, {0.25, 0, 0}) - 0.4), std::abs(solution.at(0, {0.5, 0, 0}) - 0.5));
+  EXPECT_EQ(summary.rows[0].errors[0], expected);
+}
+
+TEST(Study, results_of_another_study_are_kept) {
+  const StudyFolder folder("kept");
+  run_study(bar_study(folder, "[vary]\nhorizon = [0.2, 0.1]\n"), folder.settings());
+  const ReadStudy other = bar_study(folder, "[vary]\nhorizon = [0.2, 0.05]\n");
+  EXPECT_THROW(run_study(other, folder.settings()), Error);
+  StudySettings settings = folder.settings();
+  settings.overwrite = true;
+  EXPECT_EQ(run_study(other, settings).reused, 2U);  // The run with the larger horizon, and its check in time.
+}
+
+TEST(StudyFaults, are_told_all_at_once_with_their_places) {
+  const StudyFolder folder("faults");
+  const std::string text = study_faults(folder, std::string(study_head) +
+                                                    "norms = [\"maximal\"]\n[vary]\nhorizon_ratio = [0.5, 4, 4]\n"
+                                                    "[[probe]]\nname = \"far\"\nat = [2]\n");
+  EXPECT_NE(text.find("reference: is missing"), std::string::npos) << text;
+  EXPECT_NE(text.find("study.toml:3:10: norms.0"), std::string::npos) << text;
+  EXPECT_NE(text.find("vary.horizon_ratio.0: makes a case that cannot run"), std::string::npos) << text;
+  EXPECT_NE(text.find("vary.horizon_ratio.2: stands in the list twice"), std::string::npos) << text;
+  EXPECT_NE(text.find("probe.0.at: lies outside of the body"), std::string::npos) << text;
+}
+
+TEST(StudyFaults, fewer_than_two_values_are_nothing_to_compare) {
+  const StudyFolder folder("one_value");
+  const std::string text =
+      study_faults(folder, std::string(study_head) + "[vary]\nhorizon = [0.2]\n" + exact_reference);
+  EXPECT_NE(text.find("has no list of two or more values"), std::string::npos) << text;
+}
+
+TEST(StudyFaults, those_of_the_case_stand_at_their_place_in_the_case) {
+  const StudyFolder folder("case_faults");
+  const std::string text =
+      study_faults(folder, std::string(study_head) + "set = [\"body.materiel=unit\"]\n[vary]\nhorizon = [0.2, 0.1]\n" +
+                               exact_reference);
+  EXPECT_NE(text.find("study.toml:3:8: set.0: body.materiel"), std::string::npos) << text;
+}
+
+TEST(StudyFaults, a_table_must_hold_the_times_and_lie_in_the_body) {
+  const StudyFolder folder("table_faults");
+  folder.write("known.csv", "x,t,T\n0.25,0.2,0.4\n1.5,0.2,0.4\n");
+  const std::string reference = "[reference]\ntype = \"results\"\nfile = \"known.csv\"\n";
+  const std::string start = std::string(study_head) + "[vary]\nhorizon = [0.2, 0.1]\n";
+  EXPECT_NE(study_faults(folder, start + reference).find("outside of the body"), std::string::npos);
+  folder.write("known.csv", "x,t,T\n0.25,0.2,0.4\n");
+  EXPECT_NE(study_faults(folder, start + reference).find("has nothing for t = 0.1 s"), std::string::npos);
+  folder.write("known.csv", "x,t,temperature\n0.25,0.2,0.4\n");
+  EXPECT_NE(study_faults(folder, start + reference).find("has no column 'T'"), std::string::npos);
+  std::filesystem::remove(folder.file("known.csv"));
+  EXPECT_NE(study_faults(folder, start + reference).find("cannot read"), std::string::npos);
+}
+
+TEST(StudySchema, names_every_key) {
+  for (const std::string& text : {describe_study_file(), describe_study_file_in_markdown()}) {
+    for (const char* word :
+         {"vary", "horizon_ratio", "bobaru_2010", "horizon_of_run", "intersection", "probe", "variant"}) {
+      EXPECT_NE(text.find(word), std::string::npos) << word;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace peritherm
