@@ -60,7 +60,9 @@ Solution solve(const Problem& given, std::span<const double> times, const std::f
   problem = prepare(problem).problem;
   const auto start = std::chrono::steady_clock::now();
   Assembly assembly = assemble(problem);
-  Solution solution{.grid = assembly.geometry.body.grid, .horizon = assembly.geometry.stencil_options.horizon};
+  Solution solution;
+  solution.grid = assembly.geometry.body.grid;
+  solution.horizon = assembly.geometry.stencil_options.horizon;
   solution.bonds = static_cast<double>(count_bonds(assembly.geometry.body, assembly.geometry.stencil));
   FieldStorage state = initial_state(problem, assembly);
   Recorder record(assembly, solution);
