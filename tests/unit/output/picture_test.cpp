@@ -154,5 +154,18 @@ TEST_F(Picture, the_curve_of_a_bar_shows_its_cracks) {
   EXPECT_GT(draw(snapshot, {}).count(black), 100U);
 }
 
+TEST_F(Picture, the_exact_curve_of_a_bar_is_drawn_beside_the_computed_one) {
+  constexpr std::uint32_t exact_curve = 0xc8372d;
+  const SampleBody body{Grid{1, 1e-3, {20, 1, 1}, {}, PointPlacement::centres}, [](const Point& x) { return x[0]; }};
+  PictureOutput options;
+  const ReadPicture without = draw(body.snapshot(1.0), options);
+  EXPECT_EQ(without.count(exact_curve), 0U);
+  options.exact = LumpedBody{1.0, 0.0, 1.0};
+  options.stem = "exact";
+  const ReadPicture with = draw(body.snapshot(1.0), options);
+  EXPECT_GT(with.count(exact_curve), 200U);
+  EXPECT_GT(with.height, without.height);
+}
+
 }  // namespace
 }  // namespace peritherm

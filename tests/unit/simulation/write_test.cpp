@@ -81,6 +81,7 @@ void add_lists(Problem& problem) {
   OutputKind kind = any_alternative<OutputKind>();
   if (auto* probe = std::get_if<ProbeOutput>(&kind)) *probe = {"a \"quoted\"\tname", middle};
   if (auto* picture = std::get_if<PictureOutput>(&kind)) picture->range = Coordinates{0.0, 1.0 / 3.0};
+  if (auto* line = std::get_if<LineOutput>(&kind)) line->exact = LumpedBody{1.0, -1.0, positive_number()};
   if (auto* vtk = std::get_if<VtkOutput>(&kind)) vtk->fields = {FieldName::damage};
   problem.outputs.push_back({{}, std::vector<double>{0.0, problem.time.end / 3}, kind});
 }
