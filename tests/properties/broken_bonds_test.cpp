@@ -26,7 +26,7 @@ void tear(Problem& problem) {
 std::size_t count_broken(const MeasuredBody& body) { return body.assembly.geometry.body.broken.size(); }
 
 TEST(BrokenBonds, backends_agree_over_any_steps_while_bonds_break) {
-  check_for_every_kernel({12, 10, 2}, [](const BodyRequest& request) {
+  check_for_every_kernel({6, 5, 1}, [](const BodyRequest& request) {
     Problem problem = *random_problem(request);
     tear(problem);
     const MeasuredBody stencil = measure(problem, BackendName::stencil), bond = measure(problem, BackendName::bond);
@@ -48,7 +48,7 @@ TEST(BrokenBonds, backends_agree_over_any_steps_while_bonds_break) {
 }
 
 TEST(BrokenBonds, insulated_bodies_keep_their_heat_while_bonds_break) {
-  check_for_every_kernel({8, 6, 1}, [](const BodyRequest& request) {
+  check_for_every_kernel({4, 3, 1}, [](const BodyRequest& request) {
     Problem problem = *random_problem(request);
     problem.sources.clear();
     remove_boundaries(problem, [](const auto& condition) { return !std::holds_alternative<Insulated>(condition); });
@@ -94,11 +94,13 @@ Crack through_crack(const Problem& problem, std::size_t axis, double at) {
 }
 
 TEST(BrokenBonds, a_body_torn_in_two_conducts_like_one_with_a_crack_through_it) {
-  check_for_every_kernel({12, 10, 2}, [](BodyRequest request) {
+  check_for_every_kernel({6, 5, 1}, [](BodyRequest request) {
     request.ties = false;
     Problem problem = *random_problem(request);
     problem.cracks.clear();
     problem.body.regions.clear();
+    // A shape may have acted on the surface of a part that is no longer cut away.
+    std::erase_if(problem.boundaries, [](const BoundaryOptions& boundary) { return !boundary.face; });
     const std::size_t axis = static_cast<std::size_t>(draw(0, request.dimension - 1));
     const int cells = (*problem.body.cells)[axis];
     RC_PRE(cells >= 5 && find_faults(problem).empty());
