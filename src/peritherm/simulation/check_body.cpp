@@ -181,17 +181,18 @@ bool check_quadrature(Checker& checker, const std::string& key, const std::strin
   const PartialVolumes rule = *problem.nonlocality.partial_volumes;
   const double spacing = checker.grid->spacing;
   const double least = least_ratio(rule);
+  const std::size_t before = checker.issues.size();
   if (horizon_of(problem) < least * spacing * (1.0 - 1e-9)) {
     const std::string smallest = problem.nonlocality.horizon ? length_text(least * spacing) : rounded(least);
     checker.add(key, name + " is too small for partial_volumes = \"" + std::string(name_of(rule)) + '"',
                 "Choose at least " + smallest + ", or other partial_volumes");
-    return false;
   }
   const SelfTerm self = *problem.nonlocality.self_term;
-  if (self == SelfTerm::none || problem.nonlocality.kernel.exponent == 2) return true;
-  checker.add("nonlocality.self_term", "\"" + std::string(name_of(self)) + "\" belongs to kernels with exponent 2",
-              "Choose self_term = \"none\", or exponent = 2");
-  return false;
+  if (self != SelfTerm::none && problem.nonlocality.kernel.exponent != 2) {
+    checker.add("nonlocality.self_term", '"' + std::string(name_of(self)) + "\" belongs to kernels with exponent 2",
+                "Choose self_term = \"none\", or exponent = 2");
+  }
+  return checker.issues.size() == before;
 }
 
 }  // namespace

@@ -109,7 +109,10 @@ TEST(Stencil, quadratures_of_the_constant_kernel_have_their_closed_conductivity_
       integrated += j * j * (1.0 / (j - 0.5) - 1.0 / std::min(j + 0.5, m)) / m;
     }
     EXPECT_NEAR(published_conductivity(constant, PartialVolumes::cell_integrated, m, 1), integrated, 1e-11) << m;
-    if (m == std::floor(m)) EXPECT_NEAR(integrated, 1.0, tolerance) << m;  // telescopes
+    // The sum telescopes.
+    if (m == std::floor(m)) {
+      EXPECT_NEAR(integrated, 1.0, tolerance) << m;
+    }
   }
 }
 
