@@ -16,7 +16,7 @@ struct SlabLayer {
 /// The phase of a mode, θ = atan(√(kρc λ) φ / (k φ')), grows by l √(λρc/k) in a layer and keeps its quarter at an
 /// interface; it ends at nπ for the n-th mode, so that none is missed and all have about full accuracy. While
 /// diffusion has not crossed a layer, the solution is the sum of those for half-spaces at ends and interfaces.
-/// Error about 1e-13 of the temperature differences; any consistent units.
+/// Error below 1e-12 of the temperature differences; any consistent units.
 class LayeredSlab {
  public:
   /// Finds the modes. Throws Error if a layer is so thin beside the others that more than 200 000 are needed.
