@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "peritherm/discretisation/neighbours.hpp"
 #include "peritherm/geometry/vector.hpp"
@@ -13,11 +12,13 @@ namespace {
 /// The stencil's conductances by the difference of two points' positions.
 class ConductanceTable {
  public:
-  ConductanceTable(const Stencil& stencil, double spacing) : spacing_(spacing) {
+  ConductanceTable(const Stencil& stencil, const Points& points) : spacing_(points.spacing) {
+    for (int axis = 0; axis < points.dimension; ++axis) radius_[axis] = stencil.radius;
+    conductances_.resize(static_cast<std::size_t>(2 * radius_[0] + 1) * (2 * radius_[1] + 1) * (2 * radius_[2] + 1));
     for (std::size_t k = 0; k < stencil.entries.size(); ++k) {
       const auto& [offset, conductance] = stencil.entries[k];
       const double self = stencil.self.empty() ? 0.0 : stencil.self[k];
-      by_offset_[offset] = {conductance - self, self};
+      conductances_[place(offset)] = {conductance - self, self};
       reach_ = std::max(reach_, std::hypot(offset[0], offset[1], offset[2]));
     }
   }
@@ -29,22 +30,34 @@ class ConductanceTable {
   };
   Parts operator()(const Point& difference) const {
     GridIndex offset;
-    for (int axis = 0; axis < 3; ++axis) offset[axis] = static_cast<int>(std::lround(difference[axis] / spacing_));
-    const auto found = by_offset_.find(offset);
-    return found == by_offset_.end() ? Parts{} : found->second;
+    for (int axis = 0; axis < 3; ++axis) {
+      offset[axis] = static_cast<int>(std::lround(difference[axis] / spacing_));
+      if (std::abs(offset[axis]) > radius_[axis]) return {};
+    }
+    return conductances_[place(offset)];
   }
 
  private:
+  std::size_t place(const GridIndex& offset) const {
+    std::size_t result = 0;
+    for (int axis = 2; axis >= 0; --axis) {
+      result = result * static_cast<std::size_t>(2 * radius_[axis] + 1) +
+               static_cast<std::size_t>(offset[axis] + radius_[axis]);
+    }
+    return result;
+  }
+
   double spacing_;
   double reach_ = 0.0;
-  std::map<GridIndex, Parts> by_offset_;
+  GridIndex radius_{};
+  std::vector<Parts> conductances_;
 };
 
 }  // namespace
 
 Bonds make_bonds(const Points& points, const Stencil& stencil, const BondTracer& tracer,
                  const std::function<std::size_t(std::size_t, std::size_t)>& partner) {
-  const ConductanceTable conductance(stencil, points.spacing);
+  const ConductanceTable conductance(stencil, points);
   const Neighbours pairs = find_neighbours(points, conductance.reach());
   const double cell = std::pow(points.spacing, points.dimension);
   Bonds bonds;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace peritherm {
 namespace {
@@ -66,23 +65,26 @@ class CoveredCellIntegral {
   bool outside() const { return outside_; }
   bool inside() const { return inside_; }
 
-  double operator()(const std::function<double(double)>& f) const {
+  /// ∫ f(|x|) dV; without f the volume.
+  double operator()(const std::function<double(double)>* f) const {
     return outside_ ? 0.0 : images_ * along(f, 0, 0.0);
   }
 
  private:
-  double along(const std::function<double(double)>& f, int axis, double square) const {
-    if (axis == dimension_) return f(std::sqrt(square));
-    const std::vector<double> ends = pieces(axis, square);
+  double along(const std::function<double(double)>* f, int axis, double square) const {
+    if (axis == dimension_) return (*f)(std::sqrt(square));
+    const Pieces pieces = pieces_along(axis, square);
+    if (f == nullptr && axis == dimension_ - 1) return pieces.ends[pieces.count] - low_[axis];
     const GaussRule& rule = gauss_rule();
     double sum = 0.0;
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      const double length = ends[k + 1] - ends[k];
+    for (int k = 0; k < pieces.count; ++k) {
+      const double begin = pieces.ends[k];
+      const double length = pieces.ends[k + 1] - begin;
       if (length == 0.0) continue;
       for (int n = 0; n < gauss_points; ++n) {
         const double u = rule.nodes[n];
         // With x ~ u² at either end, roots at the ends of a piece become polynomials.
-        const double x = ends[k] + length * (inside_ ? u : u * u * (3.0 - 2.0 * u));
+        const double x = begin + length * (inside_ ? u : u * u * (3.0 - 2.0 * u));
         const double weight = length * rule.weights[n] * (inside_ ? 1.0 : 6.0 * u * (1.0 - u));
         sum += weight * along(f, axis + 1, square + x * x);
       }
@@ -90,12 +92,17 @@ class CoveredCellIntegral {
     return sum;
   }
 
-  /// Ends of the pieces along an axis, ascending; fewer than two if nothing is covered.
-  std::vector<double> pieces(int axis, double square) const {
-    std::vector<double> ends{low_[axis]};
+  /// What is covered along an axis, in pieces that end in ends[1], …, ends[count].
+  struct Pieces {
+    int count = 0;
+    std::array<double, 5> ends{};
+  };
+  Pieces pieces_along(int axis, double square) const {
+    Pieces pieces;
+    pieces.ends[0] = low_[axis];
     if (inside_) {
-      ends.push_back(high_[axis]);
-      return ends;
+      pieces.ends[++pieces.count] = high_[axis];
+      return pieces;
     }
     const int later = dimension_ - axis - 1;
     for (int corner = 0; corner < (1 << later); ++corner) {
@@ -105,10 +112,10 @@ class CoveredCellIntegral {
         left -= end * end;
       }
       const double place = left > 0.0 ? std::sqrt(left) : 0.0;
-      if (place > low_[axis]) ends.push_back(std::min(place, high_[axis]));
+      if (place > low_[axis]) pieces.ends[++pieces.count] = std::min(place, high_[axis]);
     }
-    std::sort(ends.begin(), ends.end());
-    return ends;
+    std::sort(pieces.ends.begin() + 1, pieces.ends.begin() + 1 + pieces.count);
+    return pieces;
   }
 
   double square_;  ///< of the radius
@@ -123,12 +130,12 @@ class CoveredCellIntegral {
 double covered_volume(const CellOffset& cell, double radius, int dimension) {
   const CoveredCellIntegral covered(cell, radius, dimension);
   if (covered.inside()) return 1.0;
-  return covered([](double) { return 1.0; });
+  return covered(nullptr);
 }
 
 double integral_over_covered(const std::function<double(double)>& f, const CellOffset& cell, double radius,
                              int dimension) {
-  return CoveredCellIntegral(cell, radius, dimension)(f);
+  return CoveredCellIntegral(cell, radius, dimension)(&f);
 }
 
 double ball_volume(double radius, int dimension) {

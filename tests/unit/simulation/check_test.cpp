@@ -9,7 +9,7 @@ namespace {
 
 struct Mistake {
   std::string_view piece;
-  std::string_view replacement;
+  std::string replacement;
   std::string key;
   int line;
   std::string words;
@@ -113,6 +113,21 @@ TEST(Check, regions_contain_points_and_leave_some_of_the_body) {
   const std::vector<Issue> issues = issues_of(text);
   ASSERT_EQ(issues.size(), 1u) << Error(issues).what();
   EXPECT_EQ(issues[0].problem, "cuts away the whole body");
+}
+
+TEST(Check, the_horizon_suffices_for_the_quadrature_and_the_kernel_for_the_self_term) {
+  for (const std::string rule : {"trapezoid", "cell_integrated"}) {
+    expect_fault({"horizon = \"3.5 mm\"", "horizon_ratio = 1.4\npartial_volumes = \"" + rule + "\"",
+                  "nonlocality.horizon_ratio", 21,
+                  "horizon_ratio 1.4 is too small for partial_volumes = \"" + rule +
+                      "\". Choose at least 1.5, or other partial_volumes"});
+  }
+  expect_fault({"horizon = \"3.5 mm\"", "horizon = \"1.4 mm\"\npartial_volumes = \"trapezoid\"", "nonlocality.horizon",
+                21, "Choose at least 1.5 mm"});
+  EXPECT_TRUE(
+      issues_of(changed("horizon = \"3.5 mm\"", "horizon_ratio = 1.5\npartial_volumes = \"trapezoid\"")).empty());
+  expect_fault({"exponent = 2 }", "exponent = 1 }\nself_term = \"bobaru_2012\"", "nonlocality.self_term", 23,
+                "\"bobaru_2012\" belongs to kernels with exponent 2. Choose self_term = \"none\", or exponent = 2"});
 }
 
 TEST(Check, cracks_are_surfaces_inside_the_body) {
