@@ -73,6 +73,8 @@ class March {
   double stored_heat() const { return assembly_.system->stored_heat(state_); }
   /// Heat that enters through each boundary, and from the sources, now [W].
   std::vector<double> heat_rates() { return assembly_.system->account_rates(time_, state_); }
+  /// Heat that has entered through each boundary, and from the sources, so far [J].
+  std::vector<double> heats() const { return assembly_.system->account_heats(state_); }
   std::vector<Point> flux() const { return heat_flux(assembly_, state_); }
 
   const Grid& grid() const { return assembly_.geometry.body.grid; }

@@ -34,6 +34,7 @@ SchemeChoices choices_of(Scheme scheme) {
   if (scheme == Scheme::bobaru_2010) {
     choices.partial_volumes = PartialVolumes::half;
     choices.self_term = SelfTerm::bobaru_2010;
+    choices.boundary_volumes = BoundaryVolumes::whole;
     choices.insulated = choices.flux = Outside::slaved;
   } else if (scheme == Scheme::bobaru_2012) {
     choices.points = PointPlacement::boundary;
