@@ -159,7 +159,7 @@ double memory_of_run(const Problem& problem) {
       bytes_of_fields(problem, std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
   if (problem.damage) {
     const Grid grid = make_grid(problem);
-    bytes += bytes_of_break_search(grid, make_stencil(stencil_options(problem), grid.spacing, grid.dimension));
+    bytes += bytes_of_break_search(grid, make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension));
   }
   return bytes;
 }
