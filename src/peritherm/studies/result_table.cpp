@@ -35,22 +35,30 @@ struct TableColumns {
   std::size_t count = 0;
 };
 
+/// Place of a column that goes by one of the names; npos if there is none.
+std::size_t column_named(const std::vector<std::string>& names, std::initializer_list<std::string_view> wanted) {
+  for (const std::string_view name : wanted) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  }
+  return std::string::npos;
+}
+
 TableColumns find_columns(const std::vector<std::string>& names, const std::string& path, int dimension) {
+  const auto require = [&](std::size_t column, std::string_view wanted) {
+    if (column != std::string::npos) return column;
+    throw Error("'" + path + "' has no column '" + std::string(wanted) + "'; its first line is '" + join(names) + "'",
+                "Name the columns x, y, z [m] (as many as the body has axes), t [s] and T");
+  };
   TableColumns columns;
   columns.count = names.size();
-  const auto find = [&](std::string_view wanted) {
-    const auto found = std::find(names.begin(), names.end(), wanted);
-    if (found == names.end()) {
-      throw Error("'" + path + "' has no column '" + std::string(wanted) + "'; its first line is '" + join(names) + "'",
-                  "Name the columns x, y, z [m] (as many as the body has axes), t [s] and T");
-    }
-    return static_cast<std::size_t>(found - names.begin());
-  };
-  for (int axis = 0; axis < dimension; ++axis)
-    columns.place.push_back(find(axis_columns[static_cast<std::size_t>(axis)]));
-  columns.temperature = find("T");
-  columns.timed = std::find(names.begin(), names.end(), "t") != names.end();
-  if (columns.timed) columns.time = find("t");
+  for (int axis = 0; axis < dimension; ++axis) {
+    const std::string_view name = axis_columns[static_cast<std::size_t>(axis)];
+    columns.place.push_back(require(column_named(names, {name}), name));
+  }
+  columns.temperature = require(column_named(names, {"T", "temperature"}), "T");
+  columns.time = column_named(names, {"t", "time"});
+  columns.timed = columns.time != std::string::npos;
   return columns;
 }
 
@@ -89,6 +97,7 @@ ResultTable read_result_table(const std::string& path, int dimension) {
                       " entries, the first line has " + std::to_string(columns.count),
                   "Give every line one entry per column");
     }
+    if (cells[columns.temperature] == "nan") continue;
     const double time = columns.timed ? table_number(cells[columns.time], path, number) : 0.0;
     Point place{};
     for (std::size_t axis = 0; axis < columns.place.size(); ++axis) {

@@ -21,8 +21,9 @@ struct ResultTable {
   const Moment* find(double time) const;
 };
 
-/// Reads the columns x, y, z [m] (as many as `dimension`), t [s] (may be missing) and T, in any order, by the names of
-/// the first line; other columns are passed over. Throws Error that names the file and the line.
+/// Reads the columns x, y, z [m] (as many as `dimension`), t or time [s] (may be missing) and T or temperature, in any
+/// order, by the names of the first line; other columns are passed over, and lines whose temperature is nan. Throws
+/// Error that names the file and the line.
 ResultTable read_result_table(const std::string& path, int dimension);
 
 }  // namespace peritherm

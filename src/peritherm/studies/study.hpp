@@ -111,7 +111,8 @@ struct ResultsReference {
   static constexpr auto options() {
     return std::tuple{required(
         "file", &ResultsReference::file,
-        "CSV with the columns x, y, z [m] (as many as the body has axes), t [s] and T; errors are taken there")};
+        "CSV with the columns x, y, z [m] (as many as the body has axes), t [s] and T, or a .vti file; errors are "
+        "taken at its places")};
   }
   bool operator==(const ResultsReference&) const = default;
 };

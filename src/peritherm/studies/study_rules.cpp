@@ -6,6 +6,7 @@
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/checker.hpp"
 #include "peritherm/simulation/locations.hpp"
+#include "peritherm/studies/field_file.hpp"
 #include "peritherm/studies/study_checker.hpp"
 
 namespace peritherm {
@@ -46,7 +47,8 @@ void check_table(StudyChecker& checker, const ResultsReference& reference) {
   const std::string key = "reference.file";
   const Grid grid = make_grid(checker.read.cases.front());
   try {
-    checker.read.table = read_result_table((checker.folder / reference.file).string(), grid.dimension);
+    const std::string path = (checker.folder / reference.file).string();
+    checker.read.table = path.ends_with(".vti") ? read_field_file(path) : read_result_table(path, grid.dimension);
   } catch (const Error& error) {
     return checker.add(key, error.issues().front().problem, error.issues().front().hint);
   }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/read.hpp"
+#include "peritherm/simulation/simulate.hpp"
 #include "peritherm/studies/run_study.hpp"
 #include "support/study_folder.hpp"
 
@@ -126,6 +128,21 @@ TEST(Study, a_table_of_results_is_compared_at_its_own_places) {
   const double expected =
       std::max(std::abs(solution.at(0, {0.25, 0, 0}) - 0.4), std::abs(solution.at(0, {0.5, 0, 0}) - 0.5));
   EXPECT_EQ(summary.rows[0].errors[0], expected);
+}
+
+TEST(Study, a_field_that_a_run_has_written_is_a_reference_too) {
+  const StudyFolder folder("field");
+  folder.write("case.toml", std::string(study_bar) + "[[output]]\ntype = \"vtk\"\ntimes = [0.1]\n");
+  RunSettings settings;
+  settings.folder = folder.path() / "run";
+  run(read_case_file(folder.file("case.toml"), {"time.integrator={type=\"chebyshev\", relative_tolerance=1e-9}"})
+          .problem,
+      settings);
+  const std::string reference = "[reference]\ntype = \"results\"\nfile = \"run/fields/0000.vti\"\n";
+  const ReadStudy read = bar_study(folder, "norms = [\"maximum\"]\n[vary]\ncells = [20, 40]\n", reference);
+  const StudySummary summary = run_study(read, folder.settings());
+  EXPECT_LT(summary.rows[0].errors[0], 1e-8);  // The same run: both are exact in time to 1e-9 of a span of 1.
+  EXPECT_GT(summary.rows[1].errors[0], 1e-6);
 }
 
 TEST(Study, results_of_another_study_are_kept) {
