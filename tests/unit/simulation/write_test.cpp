@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/option_kinds.hpp"
 #include "valid_case.hpp"
 
