@@ -101,6 +101,7 @@ int check_case(const Arguments& arguments) {
 }
 
 int study_cases(const Arguments& arguments) {
+  watch_interrupts();
   const ReadStudy read = read_study_file(arguments.case_file, arguments.overrides);
   const bool quiet = arguments.quiet;
   StudyDisplay display(std::cout, display_style(quiet));
@@ -114,7 +115,6 @@ int study_cases(const Arguments& arguments) {
   settings.pool.on_progress = [&display](const StudyProgress& progress) { display.show(progress); };
   settings.pool.stop_requested = [] { return interrupt() != 0; };
 
-  watch_interrupts();
   StudySummary summary;
   try {
     summary = run_study(read, settings);

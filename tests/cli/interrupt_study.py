@@ -53,6 +53,8 @@ def interrupt(program, folder):
     """Lets the short runs finish, interrupts, and returns what was printed."""
     process = start(program, folder)
     try:
+        heading = process.stdout.readline()  # From here on the program knows what to do with a signal.
+        assert "3 runs" in heading, heading + process.stderr.read()
         deadline = time.monotonic() + START_LIMIT
         while len(list(folder.glob("out/runs/*.run"))) < 2:
             assert process.poll() is None, "the study ended by itself: " + process.stderr.read()

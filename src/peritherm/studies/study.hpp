@@ -92,7 +92,11 @@ struct ExactReference {
   bool horizon_of_run = false;
   static constexpr std::string_view name = "exact";
   static constexpr std::string_view help = "a closed form or series";
-  static constexpr auto options() { return std::tuple{required("solution", &ExactReference::solution, "which one")}; }
+  static constexpr auto options() {
+    return std::tuple{required("solution", &ExactReference::solution, "which one"),
+                      optional("horizon_of_run", &ExactReference::horizon_of_run,
+                               "true: a nonlocal solution takes the horizon of each run in place of its own")};
+  }
   bool operator==(const ExactReference&) const = default;
 };
 
