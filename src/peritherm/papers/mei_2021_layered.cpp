@@ -6,7 +6,7 @@
 #include <map>
 
 #include "peritherm/papers/mei_2021_bars.hpp"
-#include "peritherm/papers/mei_2021_values.hpp"
+#include "peritherm/papers/mei_2021_reruns.hpp"
 #include "peritherm/papers/paper_chart.hpp"
 
 namespace peritherm {
@@ -178,63 +178,35 @@ ReportPicture layered_along_picture(const std::vector<SixRuns>& studies, const P
       runs);
 }
 
-void add_layered_rerun(ReportSection& section, PaperRuns& runs, const TemperatureAt& classical) {
-  struct LayeredRun {
-    std::string name;
-    BarOf2021 bar;
-    values_2021::RerunValue recomputed;
-  };
+std::vector<JudgedBar> layered_bars() {
   constexpr InterfaceRule sided = InterfaceRule::sided_harmonic;
   constexpr double published = values_2021::printed_layered_crossing;
-  const std::vector<LayeredRun> wanted{
-      {"m = 4.432, N = 160, whole", layered_bar(published, 160, PartialVolumes::whole, sided),
-       values_2021::layered_rerun_whole},
-      {"m = 4.432, N = 160, half_normalised", layered_bar(published, 160, PartialVolumes::half_normalised, sided),
-       values_2021::layered_rerun_half_normalised},
-      {"m = 4.432, N = 160, trapezoid", layered_bar(published, 160, PartialVolumes::trapezoid, sided),
-       values_2021::layered_rerun_trapezoid},
-      {"m = 3.367, N = 160, trapezoid, in series",
-       layered_bar(values_2021::printed_crossing, 160, PartialVolumes::trapezoid,
-                   InterfaceRule::length_weighted_harmonic),
-       values_2021::layered_rerun_series},
-      {"single run, δ = L/40, m = 16, whole", layered_bar(16.0, 640, PartialVolumes::whole, sided),
-       values_2021::layered_single_whole},
-      {"single run, δ = L/40, m = 16, trapezoid", layered_bar(16.0, 640, PartialVolumes::trapezoid, sided),
-       values_2021::layered_single_trapezoid}};
-  std::vector<PaperRun> all;
-  for (const LayeredRun& run : wanted) all.push_back(run_of_2021(run.bar, {layered_time_2021}));
-  const std::vector<Solution> solutions = runs.solve(std::move(all));
-  ReportTable table{"Errors at 2 s against the classical solution [°C]", {}};
-  std::vector<double> rms;
-  for (std::size_t k = 0; k < wanted.size(); ++k) {
-    const BarErrors errors = errors_of(solutions[k], 0, classical);
-    rms.push_back(errors.rms);
-    const values_2021::RerunValue& right = wanted[k].recomputed;
-    // Half of the last digit known, and the rule's last digit once more for steps that are taken, not evaluated
-    // exactly.
-    const auto add = [&](const std::string& what, double value, double known, double limit) {
-      table.rows.push_back(ReportRow(wanted[k].name + ", " + what, {3, false})
-                               .recomputed(known)
-                               .scheme(value)
-                               .near(ValueKind::scheme, ValueKind::recomputed, limit));
-    };
-    add("largest", errors.largest, right.largest, 6e-3);
-    add("rms", errors.rms, right.rms, right.rms < 0.2 ? 6e-4 : 6e-3);
-    add("at 5 cm", errors.middle, right.middle, right.middle < 0.1 ? 6e-4 : 6e-3);
-  }
-  table.rows.push_back(ReportRow("single over rerun, rms, trapezoid", {2, false}).scheme(rms[5] / rms[2]));
-  Chart chart =
-      make_paper_chart("2021, Fig. 13b: difference to the classical solution, 2 s", "x [cm]", "difference [°C]");
-  for (const std::size_t k : {std::size_t{2}, std::size_t{3}, std::size_t{5}}) {
-    const ComparedPoints points = compare_bar(solutions[k], 0, classical);
-    Curve curve{wanted[k].name, points.x, {}};
-    for (std::size_t n = 0; n < points.x.size(); ++n) curve.y.push_back(points.computed[n] - points.classical[n]);
-    chart.curves.push_back(std::move(curve));
-  }
+  return {{"m = 4.432, N = 160, whole", layered_bar(published, 160, PartialVolumes::whole, sided),
+           values_2021::layered_rerun_whole},
+          {"m = 4.432, N = 160, half_normalised", layered_bar(published, 160, PartialVolumes::half_normalised, sided),
+           values_2021::layered_rerun_half_normalised},
+          {"m = 4.432, N = 160, trapezoid", layered_bar(published, 160, PartialVolumes::trapezoid, sided),
+           values_2021::layered_rerun_trapezoid},
+          {"m = 3.367, N = 160, trapezoid, in series",
+           layered_bar(values_2021::printed_crossing, 160, PartialVolumes::trapezoid,
+                       InterfaceRule::length_weighted_harmonic),
+           values_2021::layered_rerun_series},
+          {"single run, δ = L/40, m = 16, whole", layered_bar(16.0, 640, PartialVolumes::whole, sided),
+           values_2021::layered_single_whole},
+          {"single run, δ = L/40, m = 16, trapezoid", layered_bar(16.0, 640, PartialVolumes::trapezoid, sided),
+           values_2021::layered_single_trapezoid}};
+}
+
+void add_layered_rerun(ReportSection& section, PaperRuns& runs, const TemperatureAt& classical) {
+  const JudgedBars judged = solve_judged_bars(layered_bars(), layered_time_2021, classical, runs);
+  ReportTable table = table_of_errors("Errors at 2 s against the classical solution [°C]", judged);
+  table.rows.push_back(
+      ReportRow("single over rerun, rms, trapezoid", {2, false}).scheme(judged.errors[5].rms / judged.errors[2].rms));
   section.blocks.push_back(save_paper_chart(
-      chart, "2021_figure_13b",
-      "Fig. 13b: the reruns and the single run; against the classical solution, where the paper takes a "
-      "finite element one that is up to 0.1 °C off.",
+      chart_of_errors("2021, Fig. 13b: difference to the classical solution, 2 s", judged, {2, 3, 5}),
+      "2021_figure_13b",
+      "Fig. 13b: the reruns and the single run against the classical solution, where the paper takes a finite "
+      "element one that is up to 0.1 °C off.",
       runs));
   section.blocks.push_back(std::move(table));
 }

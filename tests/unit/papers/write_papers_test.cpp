@@ -29,7 +29,8 @@ TEST(Papers, have_distinct_names_and_examples_that_can_be_told_apart) {
     EXPECT_TRUE(names.insert(paper.name).second) << paper.name;
     EXPECT_FALSE(paper.citation.empty()) << paper.name;
     std::set<std::string> titles;
-    for (const PaperExample& example : paper.examples) EXPECT_TRUE(titles.insert(example.title).second) << example.title;
+    for (const PaperExample& example : paper.examples)
+      EXPECT_TRUE(titles.insert(example.title).second) << example.title;
   }
 }
 
