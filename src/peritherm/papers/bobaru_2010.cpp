@@ -270,8 +270,8 @@ ReportBlock flux_blocks(const BarStudy& study, int figure, int ratio, ReportTabl
 ReportTable time_table(const BarStudy& study) {
   std::vector<PaperRun> runs;
   const BarOf2010 bar{study.example(), true, 800, 4};
-  runs.push_back(with_tolerance(scheme_run_of_2010(bar, figure_times_2010), 1e-10));
-  runs.push_back(with_tolerance(default_run_of_2010(bar, figure_times_2010), 1e-10));
+  runs.push_back(with_tolerance(scheme_run_of_2010(bar, figure_times_2010), 1e-12));
+  runs.push_back(with_tolerance(default_run_of_2010(bar, figure_times_2010), 1e-12));
   const std::vector<Solution> tighter = study.runs().solve(std::move(runs));
   return {"Time integration",
           {time_error_row("published scheme, constant, δ = 3L/800, m = 4 [K]", study.scheme(true, 800, 4), tighter[0],

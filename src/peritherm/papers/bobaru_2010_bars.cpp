@@ -6,8 +6,8 @@
 namespace peritherm {
 namespace {
 
-constexpr double diffusivity_of_2010 = 1.14;     ///< [cm²/s]
-constexpr double time_tolerance_of_2010 = 1e-9;  ///< of temperatures over their span
+constexpr double diffusivity_of_2010 = 1.14;      ///< [cm²/s]
+constexpr double time_tolerance_of_2010 = 1e-11;  ///< of temperatures over their span
 
 Problem bar_problem(const BarOf2010& bar, int cells) {
   PaperBody body;

@@ -199,12 +199,12 @@ ReportPicture square_rate_picture(const SquareStudy& study, const PaperRuns& run
 
 ReportTable square_time_table(const SquareStudy& study, PaperRuns& runs) {
   const Solution scheme =
-      runs.solve(with_tolerance(square_run({1, 60, 1, PlateScheme::literal}, {convergence_time_2012}), 1e-9));
+      runs.solve(with_tolerance(square_run({1, 60, 1, PlateScheme::literal}, {convergence_time_2012}), 1e-8));
   const Solution defaults =
-      runs.solve(with_tolerance(square_run({1, 60, 1, PlateScheme::defaults}, {convergence_time_2012}), 1e-9));
+      runs.solve(with_tolerance(square_run({1, 60, 1, PlateScheme::defaults}, {convergence_time_2012}), 1e-8));
   return {"Time integration",
-          {time_error_row("published scheme, δ = 13L/120, m = 6.5 [°C]", study.scheme.at({60, 0}), scheme, 4e-5),
-           time_error_row("defaults, δ = 13L/120, m = 6.5 [°C]", study.defaults[0], defaults, 4e-5)}};
+          {time_error_row("published scheme, δ = 13L/120, m = 6.5 [°C]", study.scheme.at({60, 0}), scheme, 4e-4),
+           time_error_row("defaults, δ = 13L/120, m = 6.5 [°C]", study.defaults[0], defaults, 4e-4)}};
 }
 
 ReportSection held_square_section(PaperRuns& runs) {

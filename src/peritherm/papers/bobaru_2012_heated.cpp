@@ -26,21 +26,23 @@ struct HeatedStudy {
   explicit HeatedStudy(PaperRuns& runs) : horizons(runs.quick() ? 2 : 3) {
     std::vector<PaperRun> all;
     for (const PlateScheme scheme : schemes) {
-      for (std::size_t h = 0; h < horizons; ++h) all.push_back(square_run({2, 60, 1 << h, scheme}, heated_times));
+      for (std::size_t h = 0; h < count(scheme); ++h) all.push_back(square_run({2, 60, 1 << h, scheme}, heated_times));
     }
     std::vector<Solution> computed = runs.solve(std::move(all));
     auto next = computed.begin();
     for (const PlateScheme scheme : schemes) {
-      for (std::size_t h = 0; h < horizons; ++h) solutions[{scheme, h}] = std::move(*next++);
+      for (std::size_t h = 0; h < count(scheme); ++h) solutions[{scheme, h}] = std::move(*next++);
     }
   }
 
+  /// Horizons of a scheme; the quick variant reads section 3.2 literally at the coarsest one only.
+  std::size_t count(PlateScheme scheme) const { return scheme == PlateScheme::literal && horizons < 3 ? 1 : horizons; }
   double difference(PlateScheme scheme, std::size_t h, std::size_t time) const {
     return measure(StudyNorm::relative_l2, compare_row(solutions.at({scheme, h}), time, heated_row, classical));
   }
   std::vector<double> differences(PlateScheme scheme, std::size_t time) const {
     std::vector<double> values;
-    for (std::size_t h = 0; h < horizons; ++h) values.push_back(difference(scheme, h, time));
+    for (std::size_t h = 0; h < count(scheme); ++h) values.push_back(difference(scheme, h, time));
     return values;
   }
   std::vector<double> horizon_sizes() const {
@@ -64,7 +66,7 @@ ReportTable table_1(const HeatedStudy& study, const TableReading& reading) {
     const std::string when = fmt::format("t = {} s", heated_times[time]);
     const std::vector<double> differences = study.differences(reading.scheme, time);
     const std::vector<double> defaults = study.differences(PlateScheme::defaults, time);
-    for (std::size_t h = 0; h < study.horizons; ++h) {
+    for (std::size_t h = 0; h < differences.size(); ++h) {
       table.rows.push_back(ReportRow(fmt::format("{}, δ = 13L/{}", when, 120 << h), {5, false})
                                .published(values_2012::table_1[time][h], "Table 1")
                                .recomputed(reading.recomputed[time][h])
@@ -125,13 +127,13 @@ ReportPicture heated_rate_picture(const HeatedStudy& study, const PaperRuns& run
 
 ReportTable heated_time_table(const HeatedStudy& study, PaperRuns& runs) {
   const std::vector<Solution> tighter =
-      runs.solve({with_tolerance(square_run({2, 60, 1, PlateScheme::mirrored}, heated_times), 1e-9),
-                  with_tolerance(square_run({2, 60, 1, PlateScheme::defaults}, heated_times), 1e-9)});
+      runs.solve({with_tolerance(square_run({2, 60, 1, PlateScheme::mirrored}, heated_times), 1e-8),
+                  with_tolerance(square_run({2, 60, 1, PlateScheme::defaults}, heated_times), 1e-8)});
   return {
       "Time integration",
       {time_error_row("published scheme, δ = 13L/120 [°C]", study.solutions.at({PlateScheme::mirrored, 0}), tighter[0],
-                      1e-6),
-       time_error_row("defaults, δ = 13L/120 [°C]", study.solutions.at({PlateScheme::defaults, 0}), tighter[1], 1e-6)}};
+                      1e-5),
+       time_error_row("defaults, δ = 13L/120 [°C]", study.solutions.at({PlateScheme::defaults, 0}), tighter[1], 1e-5)}};
 }
 
 }  // namespace
@@ -156,7 +158,8 @@ ReportSection heated_square_section(PaperRuns& runs) {
   section.blocks.push_back(heated_rate_picture(study, runs));
   for (std::size_t h = 1; h < study.horizons; ++h) section.blocks.push_back(heated_profile_picture(study, h, runs));
   section.blocks.push_back(heated_time_table(study, runs));
-  if (runs.quick()) section.left_out = "δ = 13L/480, and with it the rates.";
+  if (runs.quick())
+    section.left_out = "δ = 13L/480, and with it the rates; the flux formula on three sides at δ = 13L/240.";
   return section;
 }
 

@@ -12,7 +12,7 @@
 namespace peritherm {
 namespace {
 
-constexpr double time_tolerance_of_2012 = 1e-8;
+constexpr double time_tolerance_of_2012 = 1e-7;
 
 Problem in_plate_scheme(Problem problem, PlateScheme scheme) {
   if (scheme == PlateScheme::defaults) return problem;

@@ -36,7 +36,8 @@ ReportTable table_of_errors(std::string caption, const JudgedBars& judged) {
     const JudgedBar& one = judged.bars[k];
     table.rows.push_back(error_row(one.name + ", largest", judged.errors[k].largest, one.recomputed.largest));
     table.rows.push_back(error_row(one.name + ", rms", judged.errors[k].rms, one.recomputed.rms));
-    table.rows.push_back(error_row(one.name + ", at 5 cm", judged.errors[k].middle, one.recomputed.middle));
+    table.rows.push_back(
+        error_row(one.name + ", at the node next to 5 cm", judged.errors[k].middle, one.recomputed.middle));
   }
   return table;
 }
