@@ -13,7 +13,7 @@ namespace {
 namespace values_2012 = bobaru_2012_values;
 
 constexpr double probe_limit = 2e-3;      ///< of what the prototype's time integration and rounding leave [°C]
-constexpr double crack_tolerance = 1e-6;  ///< relative error in time of standing cracks
+constexpr double crack_tolerance = 3e-7;  ///< relative error in time of standing cracks
 
 std::string scheme_word(PlateScheme scheme) {
   return scheme == PlateScheme::defaults ? "defaults" : "published scheme";
