@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "interrupt.hpp"
+#include "papers.hpp"
 #include "peritherm/base/error.hpp"
 #include "peritherm/base/version.hpp"
 #include "peritherm/simulation/read.hpp"
@@ -138,6 +139,20 @@ int print_schema(const Arguments& arguments) {
   return end_of_page();
 }
 
+CLI::App* add_papers_verb(CLI::App& program, PapersArguments& arguments) {
+  CLI::App* verb = program.add_subcommand(
+      "papers", "computes every example of the papers and writes one report beside their figures");
+  verb->add_option("name", arguments.names, "bobaru_2010, bobaru_2012, mei_2021; default: all")->type_name("NAME");
+  verb->add_flag("--quick", arguments.quick, "coarser and fewer runs: a minute or two");
+  verb->add_option("--output", arguments.output, "folder of the report; default: results/papers")->type_name("DIR");
+  verb->add_option("--threads", arguments.threads, "runs side by side; 0: one per core")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  verb->add_flag("--quiet", arguments.quiet, "prints nothing but errors");
+  verb->add_flag("--overwrite", arguments.overwrite, "replaces a report that is there already");
+  return verb;
+}
+
 void add_case_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("case", arguments.case_file, "the case file (TOML)")->required()->type_name("CASE");
   verb.add_option("--threads", arguments.threads, "number of threads; 0: as many cores as pay")
@@ -184,6 +199,8 @@ int dispatch(int argc, char** argv) {
   CLI::App* schema_verb = program.add_subcommand("schema", "prints the reference of every key of a case file");
   schema_verb->add_flag("--study", arguments.study, "of a study file instead");
   schema_verb->add_flag("--markdown", arguments.markdown, "as a Markdown page");
+  PapersArguments papers;
+  const CLI::App* papers_verb = add_papers_verb(program, papers);
 
   try {
     program.parse(argc, argv);
@@ -195,6 +212,7 @@ int dispatch(int argc, char** argv) {
   if (run_verb->parsed()) return run_case(arguments);
   if (study_verb->parsed()) return study_cases(arguments);
   if (check_verb->parsed()) return check_case(arguments);
+  if (papers_verb->parsed()) return run_papers(papers);
   return print_schema(arguments);
 }
 

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "peritherm/base/text.hpp"
+#include "peritherm/papers/report.hpp"
+
+namespace peritherm {
+namespace {
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+std::string full_number(double value) { return std::isfinite(value) ? shortest(value) : "nan"; }
+
+std::string row_start(const ReportPaper& paper, const ReportSection& section, const ReportTable& table,
+                      const ReportRow& row) {
+  std::string line = fmt::format("{},{},{},{},{}", quoted(paper.name), quoted(section.title), quoted(table.caption),
+                                 quoted(row.quantity), quoted(row.source));
+  for (const auto& value : row.values) line += ',' + (value ? full_number(*value) : "");
+  return line;
+}
+
+std::string row_lines(const std::string& start, const ReportRow& row) {
+  if (row.checks.empty()) return start + ",,,,\n";
+  std::string lines;
+  for (const ReportCheck& check : row.checks) {
+    lines += fmt::format("{},{},{},{},{}\n", start, quoted(check.what), full_number(check.value),
+                         full_number(check.limit), check.holds() ? "yes" : "no");
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string report_csv(const Report& report) {
+  std::string text =
+      "paper,example,table,quantity,source,published,recomputed,scheme,defaults,exact,check,measured,limit,holds\n";
+  for (const ReportPaper& paper : report.papers) {
+    for (const ReportSection& section : paper.sections) {
+      for (const ReportBlock& block : section.blocks) {
+        const auto* table = std::get_if<ReportTable>(&block);
+        if (table == nullptr) continue;
+        for (const ReportRow& row : table->rows) text += row_lines(row_start(paper, section, *table, row), row);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace peritherm
