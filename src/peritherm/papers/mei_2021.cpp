@@ -28,7 +28,7 @@ double slope_over_horizon(double x, double time, double horizon) {
 /// Eq. (6) summed term by term, A by Simpson's rule: another way to the same numbers.
 double summed_temperature(double x, double time, double horizon) {
   const auto factor = [](double z) {
-    const auto integrand = [](double s) { return s == 0.0 ? 0.5 : (1.0 - std::cos(s)) / (s * s); };
+    const auto integrand = [](double s) { return s == 0.0 ? 0.5 : 2.0 * std::pow(std::sin(0.5 * s) / s, 2); };
     constexpr int halves = 20000;
     double sum = integrand(0.0) + integrand(z);
     for (int k = 1; k < halves; ++k) sum += (k % 2 == 1 ? 4.0 : 2.0) * integrand(z * k / halves);

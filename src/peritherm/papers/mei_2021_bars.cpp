@@ -116,10 +116,12 @@ SixRuns::Crossing SixRuns::crossing(std::size_t time, double x_cm) const {
 
 BarErrors errors_of(const Solution& solution, std::size_t time, const TemperatureAt& classical) {
   const ComparedPoints points = compare_bar(solution, time, classical);
-  // Between the two nodes in the middle a straight line would add an error of its own.
-  const std::size_t middle = (points.x.size() - 1) / 2;
-  return {measure(StudyNorm::maximum, points), measure(StudyNorm::rms, points),
-          std::abs(points.computed[middle] - points.classical[middle])};
+  // The mean of the errors: a straight line between the nodes would add an error of its own.
+  const std::size_t right = points.x.size() / 2;
+  const std::size_t left = right - 1;
+  const double middle =
+      0.5 * (points.computed[left] - points.classical[left] + points.computed[right] - points.classical[right]);
+  return {measure(StudyNorm::maximum, points), measure(StudyNorm::rms, points), std::abs(middle)};
 }
 
 }  // namespace peritherm

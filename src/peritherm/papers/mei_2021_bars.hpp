@@ -44,7 +44,7 @@ struct SixRuns {
   std::array<double, 3> curve(int q, std::size_t time, double x_cm) const;
 };
 
-/// Errors of a run against the classical solution [°C]; `middle` at the node next to x = 5 cm.
+/// Errors of a run against the classical solution [°C]; `middle`: mean of the two nodes next to x = 5 cm.
 struct BarErrors {
   double largest, rms, middle;
 };

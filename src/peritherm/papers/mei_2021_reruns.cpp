@@ -37,7 +37,7 @@ ReportTable table_of_errors(std::string caption, const JudgedBars& judged) {
     table.rows.push_back(error_row(one.name + ", largest", judged.errors[k].largest, one.recomputed.largest));
     table.rows.push_back(error_row(one.name + ", rms", judged.errors[k].rms, one.recomputed.rms));
     table.rows.push_back(
-        error_row(one.name + ", at the node next to 5 cm", judged.errors[k].middle, one.recomputed.middle));
+        error_row(one.name + ", mean of the nodes next to 5 cm", judged.errors[k].middle, one.recomputed.middle));
   }
   return table;
 }
