@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -87,6 +88,25 @@ ReportTable jump_table(const std::vector<GrowingRun>& runs, const std::vector<So
   return table;
 }
 
+/// Largest change at the prototype's places: points beside a tip that has just passed are left out there as here.
+ReportRow growing_time_row(const GrowingRun& run, const Solution& solution, const Solution& tighter) {
+  const std::vector<Point> places = probe_places(values_2012::growing_places);
+  double largest = 0.0;
+  for (const ProbeLine& line : probe_lines(values_2012::growing_probes)) {
+    if (!line.defaults) continue;
+    const auto time = static_cast<std::size_t>(std::find(growing_times.begin(), growing_times.end(), line.time) -
+                                               growing_times.begin());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (std::isnan(line.values[k])) continue;
+      largest = std::max(largest, std::abs(solution.at(time, places[k]) - tighter.at(time, places[k])));
+    }
+  }
+  ReportRow row("error in time: largest change at the prototype's places with a tenth of the tolerance, " +
+                    growing_name(run) + " [°C]",
+                {1, true});
+  return row.below("change", largest, 0.5 * growing_limit);
+}
+
 }  // namespace
 
 ReportSection growing_cracks_section(PaperRuns& runs) {
@@ -120,9 +140,8 @@ ReportSection growing_cracks_section(PaperRuns& runs) {
           fmt::format("Fig. 22: {}, t = {} s.", name, growing_times[time]), runs));
     }
   }
-  section.blocks.push_back(ReportTable{
-      "Time integration",
-      {time_error_row(growing_name(tighter) + " [°C]", solutions.front(), solutions.back(), growing_limit)}});
+  section.blocks.push_back(
+      ReportTable{"Time integration", {growing_time_row(wanted.front(), solutions.front(), solutions.back())}});
   if (runs.quick()) {
     section.left_out =
         "δ = 13L/240, which the figure shows; both schemes at both diffusivities (one each is computed).";
