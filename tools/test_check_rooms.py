@@ -34,13 +34,13 @@ class CheckRooms(unittest.TestCase):
         text = '#pragma once\n#include "peritherm/system/thermal_system.hpp"\n'
         self.assert_one(self.problems_of("src/peritherm/physics/kernel.hpp", text), "src/peritherm/physics/kernel.hpp:2:")
 
-    def test_output_sees_only_base_and_discretisation(self):
-        self.assertEqual(allowed_rooms("output"), {"base", "discretisation", "output"})
+    def test_output_sees_only_three_rooms(self):
+        self.assertEqual(allowed_rooms("output"), {"base", "solutions", "discretisation", "output"})
         text = '#include "peritherm/geometry/face.hpp"\n'
         self.assert_one(self.problems_of("src/peritherm/output/vtk.cpp", text), "src/peritherm/output/vtk.cpp:1:")
 
     def test_the_last_room_sees_all(self):
-        self.assertEqual(allowed_rooms("studies"), set(ROOMS))
+        self.assertEqual(allowed_rooms("papers"), set(ROOMS))
 
     def test_a_folder_that_is_no_room_is_named(self):
         self.assert_one(self.problems_of("src/peritherm/utils/list.hpp", "\n"), "src/peritherm/utils/list.hpp:1:")
