@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "peritherm/papers/bobaru_2010_bars.hpp"
@@ -113,10 +114,13 @@ double rate_of_scheme(const BarStudy& study, bool constant, int ratio) {
 }
 
 /// Two of the printed rates stand apart: the independent prototype is as far from them (0.0251 and 0.0631) as we are.
-double limit_of_rate(double printed) {
-  if (printed == 1.4433) return 0.065;
-  return printed == 1.4877 ? 0.026 : 0.025;
+/// The first is not judged by the printed value.
+std::optional<double> limit_of_rate(double printed) {
+  if (printed == 1.4877) return std::nullopt;
+  return printed == 1.4433 ? 0.065 : 0.025;
 }
+
+constexpr double half_digit_of_rates = 5.01e-5;  ///< the prototype's are given to four digits
 
 ReportTable rate_table(const BarStudy& study) {
   const int example = study.example();
@@ -127,12 +131,13 @@ ReportTable rate_table(const BarStudy& study) {
       const int kernel = constant ? 0 : 1;
       const int ratio = study.ratios()[k];
       const double printed = values_2010::printed_rates[example - 1][kernel][k];
-      const double limit = limit_of_rate(printed);
-      table.rows.push_back(ReportRow(fmt::format("{}, m = {}", kernel_word(constant), ratio), {4, false})
-                               .published(printed, example == 1 ? "section 4.2.1, Fig. 11" : "section 4.2.1, Fig. 12")
-                               .recomputed(values_2010::recomputed_rates[example - 1][kernel][k])
-                               .scheme(rate_of_scheme(study, constant, ratio))
-                               .near(ValueKind::scheme, ValueKind::published, limit));
+      ReportRow row(fmt::format("{}, m = {}", kernel_word(constant), ratio), {4, false});
+      row.published(printed, example == 1 ? "section 4.2.1, Fig. 11" : "section 4.2.1, Fig. 12")
+          .recomputed(values_2010::recomputed_rates[example - 1][kernel][k])
+          .scheme(rate_of_scheme(study, constant, ratio))
+          .near(ValueKind::scheme, ValueKind::recomputed, half_digit_of_rates);
+      if (const auto limit = limit_of_rate(printed)) row.near(ValueKind::scheme, ValueKind::published, *limit);
+      table.rows.push_back(row);
     }
   }
   return table;
@@ -297,11 +302,12 @@ ReportSection convergence_section(PaperRuns& runs, int example) {
   if (example == 2) {
     section.blocks.push_back(ReportText{
         "Eq. (38) is printed with a wrong sign: as printed it gives 108.47 °C in the middle at 8 s. The "
-        "classical column has "
-        "it mended. The paper does not say how the node at x = L/2 starts; 30 °C is used. Two printed rates, 1.4877 "
-        "and 1.4433 (triangular, m = 8 and 16), lie 0.025 and 0.063 below what the scheme gives here and in the "
-        "prototype; they are "
-        "judged by 0.026 and 0.065 instead of 0.025."});
+        "classical column has it mended. The paper does not say how the node at x = L/2 starts; 30 °C is used. Two "
+        "printed rates, 1.4877 and 1.4433 (triangular, m = 8 and 16), lie 0.0251 and 0.0631 below what the scheme "
+        "gives "
+        "here and in the prototype. The first is beyond the 0.025 that all others keep, and judged by the prototype "
+        "only; "
+        "the second is judged by 0.065."});
   }
   section.blocks.push_back(classical_table(study));
   section.blocks.push_back(profile_picture(study, example == 1 ? 8 : 9));
