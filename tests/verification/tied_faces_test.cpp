@@ -131,6 +131,17 @@ TEST(TiedFaces, are_left_to_integrators_that_need_no_symmetry) {
   }
 }
 
+TEST(TiedFaces, points_that_will_lose_every_neighbour_are_refused_at_the_start) {
+  Problem problem = heated_end(2, 10, Outside::flux_formula, PointPlacement::centres);
+  Crack crack;
+  crack.points = {{0.9, -0.1}, {0.9, 1.1}};
+  crack.start_time = 0.5;
+  problem.cracks.push_back(crack);
+  EXPECT_THROW(assemble(problem), Error);
+  problem.time.end = 0.4;
+  EXPECT_NO_THROW(assemble(problem));
+}
+
 TEST(TiedFaces, points_without_a_neighbour_farther_in_are_refused) {
   Problem problem = tied_plate(Outside::flux_formula, Outside::natural);
   problem.cracks.emplace_back().points = {{0.99, -0.1}, {0.99, 1.1}};

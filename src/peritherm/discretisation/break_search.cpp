@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <mutex>
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/discretisation/broken_bonds.hpp"
@@ -93,7 +94,8 @@ class BreakSearch {
     }
     if (found.empty()) return;
     count_ += found.size();
-#pragma omp critical(peritherm_breaks)
+    // An exception must not leave a critical section.
+    const std::scoped_lock lock(mutex_);
     breaks_.insert(breaks_.end(), found.begin(), found.end());
   }
 
@@ -197,6 +199,7 @@ class BreakSearch {
   std::size_t words_;             ///< per point, with a bit for each bond
   std::vector<std::uint64_t> broken_;
   std::atomic<std::size_t> count_ = 0;
+  std::mutex mutex_;  ///< guards breaks_
   Breaks breaks_;
 };
 

@@ -102,6 +102,22 @@ class FluxSlots {
   std::vector<std::int64_t> begin_{0};
 };
 
+/// Conductances only fall, so a row that stands at the end stands throughout.
+void refuse_rows_that_end(const Followers& followers, double end) {
+  if (followers.cuts.empty()) return;
+  std::vector<double> gains = followers.gains;
+  CutSchedule cuts = followers.cuts;
+  cuts.average_over(end, end, gains);
+  for (std::size_t row = 0; row < followers.size(); ++row) {
+    const auto first = gains.begin() + static_cast<std::ptrdiff_t>(followers.row_begin[row]);
+    const auto last = gains.begin() + static_cast<std::ptrdiff_t>(followers.row_begin[row + 1]);
+    if (std::any_of(first, last, [](double gain) { return gain > 0.0; })) continue;
+    throw Error("boundary." + std::to_string(followers.boundaries[row]) +
+                    ".imposed: a point of the face loses all neighbours further in before the end",
+                "Keep cracks and breaking bonds off the face, or choose \"mirror\"");
+  }
+}
+
 }  // namespace
 
 int slaved_points(const Stencil& stencil, double horizon, double spacing) {
@@ -134,6 +150,7 @@ Followers make_followers(const Problem& problem, const Geometry& geometry, const
     slots.hand_over(fluxes);
   }
   followers.cuts.sort();
+  refuse_rows_that_end(followers, problem.time.end);
   return followers;
 }
 
