@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "peritherm/base/file.hpp"
+#include "peritherm/base/larger.hpp"
 #include "peritherm/output/chart.hpp"
 #include "peritherm/output/csv.hpp"
 #include "peritherm/output/interpolation.hpp"
@@ -56,11 +58,23 @@ std::vector<std::string> line_columns(const LineOutput& options, int dimension) 
   return columns;
 }
 
-double largest_difference_of(const Profile1D& profile) {
-  double largest = 0.0;
+/// Whether a place lies between the outermost points and a face, where values are carried on linearly.
+bool is_beyond_points(const Grid& grid, const Point& place) {
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const double layer = (place[axis] - grid.origin[axis]) / grid.spacing - grid.first_depth();
+    if (layer < -1e-6 || layer > grid.count(axis) - 1 + 1e-6) return true;
+  }
+  return false;
+}
+
+/// Among the points; none if the line meets none.
+std::optional<double> largest_difference_of(const Profile1D& profile, const std::vector<Point>& places,
+                                            const Grid& grid) {
+  std::optional<double> largest;
   for (std::size_t i = 0; i < profile.exact.size(); ++i) {
     const double difference = std::abs(profile.temperature[i] - profile.exact[i]);
-    if (!std::isnan(difference)) largest = std::max(largest, difference);
+    if (std::isnan(profile.temperature[i]) || is_beyond_points(grid, places[i])) continue;
+    largest = largest ? larger(*largest, difference) : difference;
   }
   return largest;
 }
@@ -233,7 +247,10 @@ class LineObserver final : public Observer {
       const std::vector<Point> places = even_places(ends_, curve_places);
       chart.curves.push_back({{}, abscissae(places, ends_, grid), profile.curve, CurveStyle::line, number});
       // At the start the ends have two temperatures.
-      if (profile.time > 0.0) computed.name += ": difference " + rounded_text(largest_difference_of(profile), 2);
+      if (profile.time > 0.0) {
+        const auto largest = largest_difference_of(profile, places_, grid);
+        computed.name += largest ? ": difference " + rounded_text(*largest, 2) : ": no values";
+      }
       computed.style = CurveStyle::dots;
       computed = thinned(computed, most_markers);
     }

@@ -103,8 +103,7 @@ class FluxSlots {
 };
 
 /// Conductances only fall, so a row that stands at the end stands throughout.
-void refuse_rows_that_end(const Followers& followers, double end) {
-  if (followers.cuts.empty()) return;
+void refuse_rows_that_end(const Followers& followers, const Geometry& geometry, double end) {
   std::vector<double> gains = followers.gains;
   CutSchedule cuts = followers.cuts;
   cuts.average_over(end, end, gains);
@@ -112,9 +111,10 @@ void refuse_rows_that_end(const Followers& followers, double end) {
     const auto first = gains.begin() + static_cast<std::ptrdiff_t>(followers.row_begin[row]);
     const auto last = gains.begin() + static_cast<std::ptrdiff_t>(followers.row_begin[row + 1]);
     if (std::any_of(first, last, [](double gain) { return gain > 0.0; })) continue;
-    throw Error("boundary." + std::to_string(followers.boundaries[row]) +
-                    ".imposed: a point of the face loses all neighbours further in before the end",
-                "Keep cracks and breaking bonds off the face, or choose \"mirror\"");
+    const std::string name = geometry.boundary_names[static_cast<std::size_t>(followers.boundaries[row])];
+    throw Error(
+        "boundary \"" + name + "\": a point of the face has no neighbour farther in that it could follow up to the end",
+        "Keep cracks, breaking bonds and cut-away parts off the face, or choose imposed = \"mirror\"");
   }
 }
 
@@ -150,7 +150,7 @@ Followers make_followers(const Problem& problem, const Geometry& geometry, const
     slots.hand_over(fluxes);
   }
   followers.cuts.sort();
-  refuse_rows_that_end(followers, problem.time.end);
+  refuse_rows_that_end(followers, geometry, problem.time.end);
   return followers;
 }
 

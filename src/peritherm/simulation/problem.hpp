@@ -88,7 +88,8 @@ struct NonlocalityOptions {
         optional("interface", &NonlocalityOptions::interface,
                  "conductivity of bonds between materials; default: as the scheme does, else length_weighted_harmonic"),
         optional("boundary_volumes", &NonlocalityOptions::boundary_volumes,
-                 "with how much of its cell a point on a face counts where nothing stands outside; default: partial")};
+                 "with how much of its cell a point on a face counts where nothing stands outside; default: "
+                 "as the scheme has it")};
   }
   bool operator==(const NonlocalityOptions&) const = default;
 };

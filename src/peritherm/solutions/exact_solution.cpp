@@ -20,7 +20,7 @@ double inside(double x, double length, std::string_view name) {
   if (x >= -slack && x <= length + slack) return std::clamp(x, 0.0, length);
   throw Error("the exact solution '" + std::string(name) + "' reaches from 0 to " + shortest(length) +
                   " m, but a temperature is asked for at " + shortest(x) + " m",
-              "Let its lengths be those of the body");
+              "Let its lengths, and its centre if it has one, be those of the body, and the body begin at 0 if not");
 }
 
 template <class Bar>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "peritherm/operators/fourier_sum.hpp"
 #include "peritherm/simulation/assemble.hpp"
@@ -64,13 +64,13 @@ TEST_F(BackendChoiceTest, long_runs_are_measured_quickly) {
   for (const double ratio : {3.0, 10.0, 13.0}) {
     const Problem problem = unit_body(2, 1024, ratio);
     const Stencil stencil = make_geometry(problem).stencil;
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const BackendChoice choice = choose_backend(problem, stencil, 1, very_many);
     EXPECT_TRUE(choice.measured);
     EXPECT_NE(choice.reason.find("(measured)"), std::string::npos) << choice.reason;
     EXPECT_GT(choice.evaluation_seconds, 0.0);
-    // 0.3 s by intention; the rest is for machines that are slower than the model's or busy.
-    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 5.0);
+    // 0.3 s of the processor by intention; the rest is for slower ones and for sanitizers.
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 5.0);
   }
 }
 
