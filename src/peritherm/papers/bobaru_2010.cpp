@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "peritherm/base/larger.hpp"
 #include "peritherm/papers/bobaru_2010_bars.hpp"
 #include "peritherm/papers/bobaru_2010_values.hpp"
 #include "peritherm/papers/paper.hpp"
@@ -258,7 +259,7 @@ ReportBlock flux_blocks(const BarStudy& study, int figure, int ratio, ReportTabl
     const auto edge = static_cast<std::size_t>(2 * ratio);
     for (std::size_t n = edge; n + edge < flux.x.size(); ++n) {
       const double right = -gradient_along_x(exact, {flux.x[n] * centimetre, 0.0, 0.0}, end_of_2010) * centimetre;
-      largest = std::max(largest, std::abs(flux.flux[n] - right));
+      largest = larger(largest, std::abs(flux.flux[n] - right));
       line.x.push_back(flux.x[n]);
       line.y.push_back(right);
       if (n % (study.example() == 1 ? 40 : 19) != 0) continue;

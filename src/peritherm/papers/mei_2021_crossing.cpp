@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -57,7 +56,7 @@ ReportRow crossing_row(const std::string& name, double recomputed, double found)
 ReportRow bracket_row(const std::string& name, double published, const std::string& where, double low, double high) {
   ReportRow row(fmt::format("{}: between {:.3f} (half_normalised) and {:.3f} (trapezoid)", name, low, high),
                 {3, false});
-  row.published(published, where).below("outside by", std::max({0.0, low - published, published - high}), 0.0);
+  row.published(published, where).below("outside by", outside_by(published, low, high), 0.0);
   return row;
 }
 

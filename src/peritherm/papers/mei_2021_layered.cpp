@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -112,7 +111,7 @@ ReportTable layered_crossing_table(const std::vector<SixRuns>& studies) {
       ReportRow(fmt::format("the published 4.432: between {:.3f} (half_normalised) and {:.3f} (trapezoid)", low, high),
                 {3, false})
           .published(printed, "section 5, Fig. 13")
-          .below("outside by", std::max({0.0, low - printed, printed - high}), 0.0));
+          .below("outside by", outside_by(printed, low, high), 0.0));
   for (std::size_t k = 0; k < values_2021::layered_places.size(); ++k) {
     table.rows.push_back(
         ReportRow(fmt::format("trapezoid, in series, x = {} cm", values_2021::layered_places[k]), {4, false})

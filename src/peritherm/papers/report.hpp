@@ -38,6 +38,9 @@ struct NumberStyle {
 };
 std::string number_text(double value, const NumberStyle& style);
 
+/// How far a value lies outside of [low, high]; 0 inside, not a number if any of the three is none.
+double outside_by(double value, double low, double high);
+
 /// One quantity with what is known about it. A row without checks informs and is not judged.
 struct ReportRow {
   std::string quantity;
