@@ -144,6 +144,12 @@ TEST(ReportCsv, has_one_line_per_check_and_quotes_what_needs_it) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
+TEST(ReportCsv, quotes_line_ends_of_either_kind) {
+  Report report = small_report();
+  report.papers.front().name = "a\rb";
+  EXPECT_NE(report_csv(report).find("\"a\rb\",Example 1"), std::string::npos);
+}
+
 TEST(ReportHtml, embeds_pictures_and_needs_no_network) {
   const ReportFolder folder("pictures");
   std::ofstream(folder.path() / "pictures/a.png") << "foobar";
