@@ -15,7 +15,8 @@ namespace peritherm {
 /// What a number of the report is.
 enum class ValueKind {
   published,   ///< printed in the paper
-  recomputed,  ///< by an independent prototype of the published scheme (or of the mended one, where the row says so)
+  recomputed,  ///< by an independent prototype of the published scheme (or of the mended one, or by finite
+               ///< elements, where the row or its table says so)
   scheme,      ///< by Peritherm with the published scheme
   defaults,    ///< by Peritherm with its defaults
   exact        ///< of the closed form
