@@ -12,6 +12,9 @@ inline constexpr std::array<int, 4> ratios{2, 4, 8, 16};
 inline constexpr std::array<double, 2> printed_classical_middle{51.75, 53.06};
 inline constexpr std::array<double, 2> classical_middle{51.74760039, 53.06258753};
 
+/// Eq. (38) with its printed sign in the middle at 8 s, of the prototype.
+inline constexpr double stepped_as_printed = 108.47;
+
 /// Rates of δ-convergence at 8 s by example, kernel and m, printed in section 4.2.1 (Figs. 11 and 12).
 inline constexpr double printed_rates[2][2][4] = {{{1.0104, 1.0132, 1.0109, 1.0104}, {1.0095, 1.0102, 1.0082, 1.0055}},
                                                   {{1.4824, 1.4982, 1.4914, 1.4811}, {1.4843, 1.4990, 1.4877, 1.4433}}};
@@ -42,6 +45,10 @@ inline constexpr double recomputed_middle[2][2][4][4] = {{{{50.7514, 52.2675, 53
 /// Example 3: average relative differences, printed in section 4.2.2, and those of the prototype at 0.1, 4 and 8 s.
 inline constexpr std::array<double, 2> printed_differences{3.43e-5, 2.84e-5};
 inline constexpr double recomputed_differences[2][3] = {{1.009e-3, 8.26e-5, 4.38e-5}, {1.073e-3, 9.97e-5, 4.88e-5}};
+
+/// Eq. (45) as printed and its root at 8 s, of the prototype.
+inline constexpr std::array<double, 2> recomputed_printed_norm{2.0e-6, 2.5e-6};
+inline constexpr std::array<double, 2> recomputed_printed_norm_root{1.4e-3, 1.6e-3};
 
 /// Example 3 of the prototype: temperatures of the nodes 266, 533 and 1066 (counted from 0) at 0.1, 4 and 8 s.
 inline constexpr double recomputed_nodes[2][3][3] = {{{1.99688020, 0.02033092, 1.17112429},

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "peritherm/base/larger.hpp"
 #include "peritherm/papers/bobaru_2012_plates.hpp"
 #include "peritherm/papers/bobaru_2012_sections.hpp"
 #include "peritherm/papers/paper_chart.hpp"
@@ -28,7 +29,7 @@ PaperRun composite_run(int cells, double matrix, PlateScheme scheme) {
 double change_between(const Solution& solution, std::size_t a, std::size_t b) {
   double largest = 0.0;
   for (std::size_t n = 0; n < solution.temperatures[a].size(); ++n) {
-    largest = std::max(largest, std::abs(solution.temperatures[a][n] - solution.temperatures[b][n]));
+    largest = larger(largest, std::abs(solution.temperatures[a][n] - solution.temperatures[b][n]));
   }
   return largest;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "peritherm/base/larger.hpp"
 #include "peritherm/papers/bobaru_2012_plates.hpp"
 #include "peritherm/papers/bobaru_2012_sections.hpp"
 #include "peritherm/papers/bobaru_2012_values.hpp"
@@ -98,7 +99,7 @@ ReportRow growing_time_row(const GrowingRun& run, const Solution& solution, cons
                                                growing_times.begin());
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (std::isnan(line.values[k])) continue;
-      largest = std::max(largest, std::abs(solution.at(time, places[k]) - tighter.at(time, places[k])));
+      largest = larger(largest, std::abs(solution.at(time, places[k]) - tighter.at(time, places[k])));
     }
   }
   ReportRow row("error in time: largest change at the prototype's places with a tenth of the tolerance, " +

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "peritherm/base/larger.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/plan.hpp"
 
@@ -116,7 +117,7 @@ void add_probe_rows(ReportTable& table, std::string_view places, std::string_vie
     double largest = 0.0;
     for (std::size_t k = 0; k < at.size(); ++k) {
       if (std::isnan(line.values[k])) continue;
-      largest = std::max(largest, std::abs(solution.at(time, at[k]) - line.values[k]));
+      largest = larger(largest, std::abs(solution.at(time, at[k]) - line.values[k]));
     }
     ReportRow row(fmt::format("{}, n = {}, t = {} s, at {} places", defaults ? "defaults" : "published scheme",
                               line.cells, line.time, at.size()),

@@ -52,6 +52,11 @@ double time_of_sign_change(double x, double horizon, double low, double high) {
   return 0.5 * (low + high);
 }
 
+/// Half of the prototype's last digit, but for two of its numbers, which the sum term by term contradicts.
+double limit_of_analytic(const values_2021::AnalyticValue& value) {
+  return value.time == 0.42 && value.horizon >= 0.5 ? 5e-8 : 5.1e-9;
+}
+
 ReportTable analytic_table() {
   ReportTable table{"The classical and the nonlocal solution, eqs. (5) to (7) [°C]", {}};
   const TemperatureAt classical = classical_bar_2021();
@@ -62,7 +67,9 @@ ReportTable analytic_table() {
     ReportRow row(fmt::format("{}, x = {} cm, t = {} s", local ? "classical" : fmt::format("δ = {} cm", value.horizon),
                               value.x, value.time),
                   {8, false});
-    row.recomputed(value.temperature).exact(found).near(ValueKind::exact, ValueKind::recomputed, 5e-8);
+    row.recomputed(value.temperature)
+        .exact(found)
+        .near(ValueKind::exact, ValueKind::recomputed, limit_of_analytic(value));
     row.below("|exact - summed term by term|", std::abs(found - summed_temperature(value.x, value.time, value.horizon)),
               1e-10);
     table.rows.push_back(row);

@@ -99,6 +99,11 @@ ComparedPoints without_zeros(const ComparedPoints& points) {
   return result;
 }
 
+ReportRow difference_change_row(const std::string& what, double change, double limit) {
+  ReportRow row("error in time: change of the relative difference with a tenth of the tolerance, " + what, {1, true});
+  return row.below("change", change, limit);
+}
+
 ReportRow time_error_row(const std::string& what, const Solution& run, const Solution& tighter, double limit) {
   ReportRow row("error in time: largest change with a tenth of the tolerance, " + what, {1, true});
   row.below("change", largest_difference(run, tighter), limit);

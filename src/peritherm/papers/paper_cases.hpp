@@ -58,5 +58,7 @@ ComparedPoints without_zeros(const ComparedPoints& points);
 /// Row of the report that proves that the error in time does not matter: the largest change of any temperature when
 /// the tolerance becomes ten times tighter.
 ReportRow time_error_row(const std::string& what, const Solution& run, const Solution& tighter, double limit);
+/// The same where relative differences to the classical solution are judged: by how much those change.
+ReportRow difference_change_row(const std::string& what, double change, double limit);
 
 }  // namespace peritherm

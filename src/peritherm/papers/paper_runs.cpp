@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "peritherm/base/file.hpp"
+#include "peritherm/studies/study_runs.hpp"
 
 namespace peritherm {
 namespace {
@@ -101,11 +102,7 @@ std::filesystem::path PaperRuns::picture_path(const std::string& stem) const {
 }
 
 PaperRun with_tolerance(PaperRun run, double tolerance) {
-  std::visit(
-      [tolerance](auto& options) {
-        if constexpr (requires { options.relative_tolerance; }) options.relative_tolerance = tolerance;
-      },
-      run.problem.time.integrator);
+  set_tolerance(run.problem.time.integrator, tolerance);
   return run;
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "peritherm/base/larger.hpp"
+
 namespace peritherm {
 namespace {
 
@@ -66,6 +68,8 @@ std::string number_text(double value, const NumberStyle& style) {
   if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
   return text;
 }
+
+double outside_by(double value, double low, double high) { return larger(0.0, larger(low - value, value - high)); }
 
 ReportRow& ReportRow::published(double value, std::string where) {
   source = std::move(where);

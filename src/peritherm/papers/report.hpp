@@ -15,7 +15,8 @@ namespace peritherm {
 /// What a number of the report is.
 enum class ValueKind {
   published,   ///< printed in the paper
-  recomputed,  ///< by an independent prototype of the published scheme (or of the mended one, where the row says so)
+  recomputed,  ///< by an independent prototype of the published scheme (or of the mended one, or by finite
+               ///< elements, where the row or its table says so)
   scheme,      ///< by Peritherm with the published scheme
   defaults,    ///< by Peritherm with its defaults
   exact        ///< of the closed form
@@ -37,6 +38,9 @@ struct NumberStyle {
   bool scientific = false;  ///< 3.43e-5
 };
 std::string number_text(double value, const NumberStyle& style);
+
+/// How far a value lies outside of [low, high]; 0 inside, not a number if any of the three is none.
+double outside_by(double value, double low, double high);
 
 /// One quantity with what is known about it. A row without checks informs and is not judged.
 struct ReportRow {

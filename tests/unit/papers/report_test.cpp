@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/papers/base64.hpp"
+#include "peritherm/papers/bobaru_2012_plates.hpp"
 
 namespace peritherm {
 namespace {
@@ -79,6 +81,27 @@ TEST(ReportChecks, hold_up_to_their_limit_and_never_without_a_number) {
   EXPECT_FALSE((ReportCheck{"difference", not_a_number, 0.5}.holds()));
 }
 
+TEST(ReportChecks, of_a_range_fail_without_one_of_its_numbers) {
+  EXPECT_EQ(outside_by(3.367, 3.256, 3.565), 0.0);
+  EXPECT_DOUBLE_EQ(outside_by(3.0, 3.25, 3.5), 0.25);
+  EXPECT_DOUBLE_EQ(outside_by(4.0, 3.25, 3.5), 0.5);
+  EXPECT_TRUE(std::isnan(outside_by(not_a_number, 3.25, 3.5)));
+  EXPECT_TRUE(std::isnan(outside_by(3.367, not_a_number, 3.5)));
+  EXPECT_TRUE(std::isnan(outside_by(3.367, 3.25, not_a_number)));
+}
+
+TEST(ReportChecks, of_a_largest_difference_fail_if_one_is_missing) {
+  Solution solution;
+  solution.grid.spacing = 0.01;
+  solution.grid.cells = {2, 1, 1};
+  solution.grid.placement = PointPlacement::boundary;
+  solution.times = {1.0};
+  solution.temperatures = {{not_a_number, not_a_number, not_a_number}};
+  ReportTable table{"", {}};
+  add_probe_rows(table, "0,0 2,0", "2 1 scheme 5 5", false, solution, 1.0);
+  EXPECT_EQ(verdict_of({"", {table}, "", 0.0}).failed, 1U);
+}
+
 TEST(ReportVerdicts, count_judged_failed_and_missing) {
   const ReportVerdict verdict = verdict_of(small_report());
   EXPECT_EQ(verdict.judged, 2U);
@@ -119,6 +142,12 @@ TEST(ReportCsv, has_one_line_per_check_and_quotes_what_needs_it) {
       << text;
   EXPECT_NE(text.find("\"defaults, told\",,,,,3.43e-05,,,,,\n"), std::string::npos) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+}
+
+TEST(ReportCsv, quotes_line_ends_of_either_kind) {
+  Report report = small_report();
+  report.papers.front().name = "a\rb";
+  EXPECT_NE(report_csv(report).find("\"a\rb\",Example 1"), std::string::npos);
 }
 
 TEST(ReportHtml, embeds_pictures_and_needs_no_network) {
