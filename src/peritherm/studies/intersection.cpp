@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "peritherm/base/larger.hpp"
 #include "peritherm/base/text.hpp"
 #include "peritherm/output/labels.hpp"
 #include "peritherm/simulation/check.hpp"
@@ -70,8 +71,8 @@ std::optional<CurveCrossing> find_crossing(const std::array<double, 3>& ratios, 
   double size = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     difference[k] = first[k] - second[k];
-    largest = std::max(largest, std::abs(difference[k]));
-    size = std::max({size, std::abs(first[k]), std::abs(second[k])});
+    largest = larger(largest, std::abs(difference[k]));
+    size = larger(size, larger(std::abs(first[k]), std::abs(second[k])));
   }
   // Curves that are the same to rounding cross everywhere and nowhere.
   if (!(largest > 1e-12 * size)) return std::nullopt;

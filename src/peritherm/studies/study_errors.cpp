@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "peritherm/base/larger.hpp"
+
 namespace peritherm {
 namespace {
 
@@ -91,7 +93,7 @@ double measure(StudyNorm norm, std::span<const double> computed, std::span<const
     const double difference = computed[n] - reference[n];
     squares += difference * difference;
     reference_squares += reference[n] * reference[n];
-    largest = std::max(largest, std::abs(difference));
+    largest = larger(largest, std::abs(difference));
     if (difference != 0.0) relative_squares += difference * difference / (reference[n] * reference[n]);
   }
   if (computed.empty()) return no_value;
@@ -113,8 +115,9 @@ double largest_difference(const Solution& first, const Solution& second) {
   double largest = 0.0;
   for (std::size_t t = 0; t < first.temperatures.size(); ++t) {
     for (std::size_t n = 0; n < first.temperatures[t].size(); ++n) {
-      const double difference = std::abs(first.temperatures[t][n] - second.temperatures[t][n]);
-      if (difference > largest) largest = difference;
+      const double one = first.temperatures[t][n], other = second.temperatures[t][n];
+      const bool cut_away = std::isnan(one) && std::isnan(other);
+      if (!cut_away) largest = larger(largest, std::abs(one - other));
     }
   }
   return largest;

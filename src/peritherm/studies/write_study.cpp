@@ -229,7 +229,7 @@ Json study_json(const ReadStudy& read, const StudySummary& summary) {
             {"failures", summary.failures}};
   for (const TimeError& error : summary.time_errors) {
     json["time_errors"].push_back({{"run", run_name(read.study, read.runs[error.run])},
-                                   {"largest_difference", error.difference},
+                                   {"largest_difference", number_or_null(error.difference)},
                                    {"made_again_with", error.how}});
   }
   for (const IntersectionResult& result : summary.intersections) {
