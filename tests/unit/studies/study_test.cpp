@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "peritherm/simulation/check.hpp"
@@ -84,7 +85,7 @@ TEST(Study, what_was_finished_before_an_interruption_is_not_run_again) {
   const StudyFolder folder("resumed");
   const ReadStudy read = bar_study(folder, "[vary]\nhorizon = [0.2, 0.1, 0.05]\n");
   StudySettings settings = folder.settings();
-  std::size_t finished = 0;
+  std::atomic<std::size_t> finished = 0;
   settings.pool.on_progress = [&finished](const StudyProgress& progress) { finished = progress.finished; };
   settings.pool.stop_requested = [&finished] { return finished >= 2; };
   const StudySummary stopped = run_study(read, settings);
