@@ -156,6 +156,17 @@ TEST(Study, results_of_another_study_are_kept) {
   EXPECT_EQ(run_study(other, settings).reused, 2U);  // The run with the larger horizon, and its check in time.
 }
 
+TEST(Study, another_content_of_the_reference_makes_another_study) {
+  const StudyFolder folder("content");
+  const std::string reference = "[reference]\ntype = \"results\"\nfile = \"known.csv\"\n";
+  const std::string body = "[vary]\nhorizon = [0.2, 0.1]\n";
+  folder.write("known.csv", "x,t,T\n0.25,0.1,0.4\n");
+  run_study(bar_study(folder, body, reference), folder.settings());
+  EXPECT_NO_THROW(run_study(bar_study(folder, body, reference), folder.settings()));
+  folder.write("known.csv", "x,t,T\n0.25,0.1,0.5\n");
+  EXPECT_THROW(run_study(bar_study(folder, body, reference), folder.settings()), Error);
+}
+
 TEST(StudyFaults, are_told_all_at_once_with_their_places) {
   const StudyFolder folder("faults");
   const std::string text = study_faults(folder, std::string(study_head) +
