@@ -244,9 +244,8 @@ Json study_json(const ReadStudy& read, const StudySummary& summary) {
             {"runs", runs_json(read, summary)},  {"series", series_json(summary)}, {"time_errors", Json::array()},
             {"failures", summary.failures}};
   for (const TimeError& error : summary.time_errors) {
-    json["time_errors"].push_back({{"run", run_name(read.study, read.runs[error.run])},
-                                   {"largest_difference", number_or_null(error.difference)},
-                                   {"made_again_with", error.how}});
+    json["time_errors"].push_back(
+        {{"run", error.run}, {"largest_difference", number_or_null(error.difference)}, {"made_again_with", error.how}});
   }
   for (const IntersectionResult& result : summary.intersections) {
     json["intersections"].push_back(intersection_json(result));

@@ -156,6 +156,23 @@ TEST(Study, results_of_another_study_are_kept) {
   EXPECT_EQ(run_study(other, settings).reused, 2U);  // The run with the larger horizon, and its check in time.
 }
 
+TEST(Study, runs_that_cannot_be_kept_are_compared_all_the_same) {
+  const StudyFolder folder("not_kept");
+  const ReadStudy read = bar_study(folder, "[vary]\nhorizon = [0.2, 0.1]\n");
+  StudySettings settings = folder.settings();
+  bool removed = false;
+  // Takes the folder away when the first run begins, as a disk that is lost.
+  settings.pool.on_progress = [&](const StudyProgress&) {
+    if (!removed) std::filesystem::remove_all(settings.folder / "runs");
+    removed = true;
+  };
+  const StudySummary summary = run_study(read, settings);
+  EXPECT_EQ(summary.rows.size(), 2U);
+  ASSERT_EQ(summary.failures.size(), 1U);
+  EXPECT_NE(summary.failures[0].find("3 finished runs could not be kept"), std::string::npos) << summary.failures[0];
+  EXPECT_EQ(summary.fault, Fault::machine);
+}
+
 TEST(Study, another_content_of_the_reference_makes_another_study) {
   const StudyFolder folder("content");
   const std::string reference = "[reference]\ntype = \"results\"\nfile = \"known.csv\"\n";
