@@ -93,15 +93,18 @@ double IntersectionResult::evaluation_cost() const {
   return cost_ratio(*this, [](const RunQuality& run) { return run.bonds * run.evaluations; });
 }
 
-std::vector<Problem> intersection_problems(const ReadStudy& read, std::size_t variant) {
-  const IntersectionOptions& options = *read.study.intersection;
+std::vector<RunChoice> intersection_choices(const IntersectionOptions& options) {
   std::vector<RunChoice> choices;
   for (const double horizon : options.horizons) {
     for (const double ratio : options.horizon_ratios) choices.push_back({horizon, ratio, {}, {}, {}});
   }
   if (options.single) choices.push_back({options.single->horizon, options.single->horizon_ratio, {}, {}, {}});
+  return choices;
+}
+
+std::vector<Problem> intersection_problems(const ReadStudy& read, std::size_t variant) {
   std::vector<Problem> problems;
-  for (const RunChoice& choice : choices) {
+  for (const RunChoice& choice : intersection_choices(*read.study.intersection)) {
     problems.push_back(apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back()));
   }
   return problems;

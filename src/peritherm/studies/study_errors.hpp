@@ -20,6 +20,9 @@ struct ComparedTemperatures {
 ComparedTemperatures compare(const ReadStudy& study, const Solution& solution, std::size_t time,
                              const Solution* finest);
 
+/// Places of a table and of the study that differ by no more are the same [m].
+double slack_of_places(const ReadStudy& read);
+
 /// Temperature of the reference at a place; NaN where a table has none. `horizon` [m] is that of the run compared.
 double reference_at(const ReadStudy& study, const Point& place, std::size_t time, double horizon,
                     const Solution* finest);
