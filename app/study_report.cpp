@@ -137,7 +137,7 @@ std::string study_text(const ReadStudy& read, const StudySummary& summary, const
   text += '\n';
   for (const TimeError& error : summary.time_errors) {
     text += fmt::format("error in time: {} with {} in the run with {} (largest difference)\n",
-                        figure(error.difference, "{:.2g}"), error.how, run_name(read.study, read.runs[error.run]));
+                        figure(error.difference, "{:.2g}"), error.how, error.run);
   }
   const std::string again = summary.reused > 0 ? fmt::format(", {} of them from before", summary.reused) : "";
   text += fmt::format("{} after {}: {}{}\nwritten to {}:\n", summary.status, duration_text(summary.wall),

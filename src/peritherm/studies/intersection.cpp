@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "peritherm/base/larger.hpp"
 #include "peritherm/base/text.hpp"
 #include "peritherm/output/labels.hpp"
 #include "peritherm/simulation/check.hpp"
@@ -70,8 +71,8 @@ std::optional<CurveCrossing> find_crossing(const std::array<double, 3>& ratios, 
   double size = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     difference[k] = first[k] - second[k];
-    largest = std::max(largest, std::abs(difference[k]));
-    size = std::max({size, std::abs(first[k]), std::abs(second[k])});
+    largest = larger(largest, std::abs(difference[k]));
+    size = larger(size, larger(std::abs(first[k]), std::abs(second[k])));
   }
   // Curves that are the same to rounding cross everywhere and nowhere.
   if (!(largest > 1e-12 * size)) return std::nullopt;
@@ -92,15 +93,18 @@ double IntersectionResult::evaluation_cost() const {
   return cost_ratio(*this, [](const RunQuality& run) { return run.bonds * run.evaluations; });
 }
 
-std::vector<Problem> intersection_problems(const ReadStudy& read, std::size_t variant) {
-  const IntersectionOptions& options = *read.study.intersection;
+std::vector<RunChoice> intersection_choices(const IntersectionOptions& options) {
   std::vector<RunChoice> choices;
   for (const double horizon : options.horizons) {
     for (const double ratio : options.horizon_ratios) choices.push_back({horizon, ratio, {}, {}, {}});
   }
   if (options.single) choices.push_back({options.single->horizon, options.single->horizon_ratio, {}, {}, {}});
+  return choices;
+}
+
+std::vector<Problem> intersection_problems(const ReadStudy& read, std::size_t variant) {
   std::vector<Problem> problems;
-  for (const RunChoice& choice : choices) {
+  for (const RunChoice& choice : intersection_choices(*read.study.intersection)) {
     problems.push_back(apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back()));
   }
   return problems;

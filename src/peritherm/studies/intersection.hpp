@@ -53,6 +53,9 @@ struct IntersectionResult {
   double evaluation_cost() const;  ///< the same by bonds times evaluations
 };
 
+/// The six coarse runs, horizon by horizon, then the single one if there is one.
+std::vector<RunChoice> intersection_choices(const IntersectionOptions& options);
+
 /// Runs of the strategy for one variant: the six coarse ones, then the single one if there is one.
 std::vector<Problem> intersection_problems(const ReadStudy& study, std::size_t variant);
 

@@ -74,6 +74,15 @@ double table_number(const std::string& text, const std::string& path, int line) 
 
 }  // namespace
 
+std::optional<double> ResultTable::Moment::temperature_at(const Point& place, double slack) const {
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    const Point& other = places[n];
+    const double distance = std::hypot(other[0] - place[0], other[1] - place[1], other[2] - place[2]);
+    if (distance <= slack) return temperatures[n];
+  }
+  return std::nullopt;
+}
+
 const ResultTable::Moment* ResultTable::find(double time) const {
   if (!timed) return moments.empty() ? nullptr : &moments.front();
   for (const Moment& moment : moments) {

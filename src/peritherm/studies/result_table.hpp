@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct ResultTable {
     double time = 0.0;  ///< [s]
     std::vector<Point> places;
     std::vector<double> temperatures;
+    /// None if no place of the table lies within `slack` [m].
+    std::optional<double> temperature_at(const Point& place, double slack) const;
   };
   std::vector<Moment> moments;  ///< ascending in time
   bool timed = false;           ///< has a column of times; else its one moment stands for any time

@@ -16,11 +16,33 @@ namespace {
 constexpr std::string_view run_file_mark = "peritherm run 1";
 constexpr double byte_order_mark = 1.0;
 
+constexpr std::uint64_t hash_start = 14695981039346656037ULL;
+
 /// FNV-1a; the key itself stands in the file, so that two keys of one hash are told apart.
-std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;
+std::uint64_t hash_of(std::string_view text, std::uint64_t hash = hash_start) {
   for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
   return hash;
+}
+
+std::string sixteen_digits(std::uint64_t hash) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (auto place = text.rbegin(); place != text.rend(); ++place, hash /= 16) *place = digits[hash % 16];
+  return text;
+}
+
+/// Size and hash of a file's bytes. One that cannot be read makes a fault of the run that wants it.
+std::string mark_of_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return "not there";
+  std::vector<char> block(1 << 16);
+  std::uint64_t hash = hash_start, size = 0;
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
+    const auto count = static_cast<std::size_t>(in.gcount());
+    hash = hash_of({block.data(), count}, hash);
+    size += count;
+  }
+  return std::to_string(size) + " bytes, " + sixteen_digits(hash);
 }
 
 nlohmann::json header_of(const std::string& key, const Solution& solution) {
@@ -82,6 +104,15 @@ std::optional<Solution> read_run(std::istream& in, const std::string& key) {
 
 }  // namespace
 
+std::string mark_of(std::string_view text) {
+  return std::to_string(text.size()) + " bytes, " + sixteen_digits(hash_of(text));
+}
+
+std::string marks_of_files(const Problem& problem) {
+  if (!problem.damage || !problem.damage->table) return {};
+  return "damage.table: " + mark_of_file(*problem.damage->table) + "\n";
+}
+
 std::string run_key(const Problem& problem, std::span<const double> times) {
   Problem normal = problem;
   normal.title.clear();
@@ -90,15 +121,12 @@ std::string run_key(const Problem& problem, std::span<const double> times) {
   normal.time.end = times.empty() ? 0.0 : times.back();
   std::vector<std::string> texts;
   for (const double time : times) texts.push_back(shortest(time));
-  return "peritherm " + std::string(version()) + "\n" + write_problem(normal) + "times = [" + join(texts) + "]\n";
+  return "peritherm " + std::string(version()) + "\n" + write_problem(normal) + marks_of_files(problem) + "times = [" +
+         join(texts) + "]\n";
 }
 
 std::filesystem::path RunCache::file_of(const std::string& key) const {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::uint64_t hash = hash_of(key);
-  std::string name(16, '0');
-  for (auto place = name.rbegin(); place != name.rend(); ++place, hash /= 16) *place = digits[hash % 16];
-  return folder_ / (name + ".run");
+  return folder_ / (sixteen_digits(hash_of(key)) + ".run");
 }
 
 std::optional<Solution> RunCache::find(const std::string& key) const {

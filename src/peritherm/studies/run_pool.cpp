@@ -8,8 +8,10 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 
+#include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/memory.hpp"
 #include "peritherm/simulation/plan.hpp"
 
@@ -21,7 +23,20 @@ struct PendingRun {
   std::size_t number = 0;  ///< in the list of problems
   std::string key;
   double bytes = 0.0;
+  double kept = 0.0;  ///< part of the bytes that its solution goes on holding
   double cost = 0.0;  ///< [s] by one thread
+};
+
+/// Gives the caller back its number of OpenMP threads, which estimates change.
+class ThreadsOfCaller {
+ public:
+  ThreadsOfCaller() = default;
+  ThreadsOfCaller(const ThreadsOfCaller&) = delete;
+  ThreadsOfCaller& operator=(const ThreadsOfCaller&) = delete;
+  ~ThreadsOfCaller() { omp_set_num_threads(before_); }
+
+ private:
+  int before_ = omp_get_max_threads();
 };
 
 class RunPool {
@@ -33,17 +48,12 @@ class RunPool {
         cache_(cache),
         settings_(settings),
         free_threads_(settings.threads > 0 ? settings.threads : omp_get_num_procs()),
-        free_memory_(static_cast<double>(available_memory())),
-        memory_known_(free_memory_ > 0.0),
         results_(problems.size()) {}
 
   std::vector<RunResult> go() {
     collect();
     tell();
-    std::vector<std::thread> workers;
-    const std::size_t count = std::min<std::size_t>(pending_.size(), static_cast<std::size_t>(free_threads_));
-    for (std::size_t w = 0; w < count; ++w) workers.emplace_back([this] { work(); });
-    for (std::thread& worker : workers) worker.join();
+    start_workers();
     for (const auto& [copy, original] : copies_) results_[copy] = results_[original];
     return std::move(results_);
   }
@@ -51,13 +61,27 @@ class RunPool {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// Returns when all have ended. Those that the system grants do the work of all.
+  void start_workers() {
+    std::vector<std::jthread> workers;
+    const std::size_t count = std::min<std::size_t>(pending_.size(), static_cast<std::size_t>(free_threads_));
+    workers.reserve(count);
+    try {
+      while (workers.size() < count) workers.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      if (workers.empty()) work();
+    }
+  }
+
   /// Finished runs are taken from the cache; of what is left, memory and duration are estimated.
   void collect() {
     std::map<std::string, std::size_t> known;
+    double copied = 0.0;
     for (std::size_t n = 0; n < problems_.size(); ++n) {
-      PendingRun run{n, run_key(problems_[n], times_), 0.0, 0.0};
+      PendingRun run{n, run_key(problems_[n], times_), 0.0, 0.0, 0.0};
       if (const auto [place, added] = known.emplace(run.key, n); !added) {
         copies_.emplace_back(n, place->second);
+        copied += bytes_of_solution(n);
         continue;
       }
       if (!settings_.rerun) results_[n].solution = cache_.find(run.key);
@@ -66,7 +90,11 @@ class RunPool {
     }
     total_ = pending_.size();
     for (const PendingRun& run : pending_) total_cost_ += run.cost;
-    // The dearest stands first and is taken last, so that an interrupted study keeps many runs.
+    // What was taken from the cache is held already.
+    free_memory_ = static_cast<double>(available_memory());
+    memory_known_ = free_memory_ > 0.0;
+    free_memory_ -= copied;
+    // The dearest is taken first, so that no thread is left alone with it at the end.
     std::stable_sort(pending_.begin(), pending_.end(), [](const auto& a, const auto& b) { return a.cost > b.cost; });
   }
 
@@ -74,13 +102,18 @@ class RunPool {
   bool estimate(PendingRun& run) {
     try {
       const Prepared prepared = prepare(with_threads(run.number, 1));
-      run.bytes = prepared.bytes;
+      run.kept = bytes_of_solution(run.number);
+      run.bytes = prepared.bytes + run.kept;
       run.cost = prepared.duration + 1e-3;
       return true;
     } catch (const Error& error) {
       fail(run.number, error);
       return false;
     }
+  }
+
+  double bytes_of_solution(std::size_t number) const {
+    return static_cast<double>(make_grid(problems_[number]).size() * times_.size() * sizeof(double));
   }
 
   Problem with_threads(std::size_t number, int threads) const {
@@ -100,16 +133,17 @@ class RunPool {
   void work() {
     std::unique_lock lock(mutex_);
     while (!pending_.empty() && !stopped()) {
-      const auto next = std::find_if(pending_.rbegin(), pending_.rend(), [this](const PendingRun& run) {
+      const auto next = std::find_if(pending_.begin(), pending_.end(), [this](const PendingRun& run) {
         return running_ == 0 || !memory_known_ || run.bytes <= free_memory_;
       });
-      if (next == pending_.rend() || free_threads_ == 0) {
+      if (next == pending_.end() || free_threads_ == 0) {
         changed_.wait(lock);
         continue;
       }
       const PendingRun run = *next;
-      pending_.erase(std::next(next).base());
-      const int threads = pending_.empty() ? free_threads_ : 1;
+      // With fewer runs left than threads, they share them.
+      const int threads = std::max(1, free_threads_ / static_cast<int>(pending_.size()));
+      pending_.erase(next);
       ++running_;
       free_threads_ -= threads;
       free_memory_ -= run.bytes;
@@ -118,7 +152,7 @@ class RunPool {
       lock.lock();
       --running_;
       free_threads_ += threads;
-      free_memory_ += run.bytes;
+      free_memory_ += run.bytes - (result.solution ? run.kept : 0.0);
       if (result.solution || !result.failure.empty()) {
         ++finished_;
         cost_done_ += run.cost;
@@ -135,8 +169,8 @@ class RunPool {
       Solution solution = solve(with_threads(run.number, threads), times_, settings_.stop_requested);
       // A stopped run has not reached all of its times.
       if (solution.times.size() < times_.size()) return result;
-      cache_.keep(run.key, solution);
       result.solution = std::move(solution);
+      keep(run.key, result);
     } catch (const Error& error) {
       result.failure = error.what();
       result.fault = error.fault();
@@ -146,6 +180,15 @@ class RunPool {
       result.fault = Fault::machine;
     }
     return result;
+  }
+
+  /// A full disk costs no finished run, only that it is made again the next time.
+  void keep(const std::string& key, RunResult& result) const {
+    try {
+      cache_.keep(key, *result.solution);
+    } catch (const Error& error) {
+      result.not_kept = error.what();
+    }
   }
 
   void tell() {
@@ -159,8 +202,8 @@ class RunPool {
   const RunCache& cache_;
   const PoolSettings& settings_;
   int free_threads_;
-  double free_memory_;  ///< [B]
-  bool memory_known_;
+  double free_memory_ = 0.0;  ///< [B]
+  bool memory_known_ = false;
   std::vector<RunResult> results_;
   std::vector<PendingRun> pending_;
   std::vector<std::pair<std::size_t, std::size_t>> copies_;  ///< numbers of equal problems
@@ -176,10 +219,8 @@ class RunPool {
 
 std::vector<RunResult> solve_all(const std::vector<Problem>& problems, const std::vector<double>& times,
                                  const RunCache& cache, const PoolSettings& settings) {
-  const int threads_before = omp_get_max_threads();
-  std::vector<RunResult> results = RunPool(problems, times, cache, settings).go();
-  omp_set_num_threads(threads_before);
-  return results;
+  const ThreadsOfCaller caller;
+  return RunPool(problems, times, cache, settings).go();
 }
 
 }  // namespace peritherm

@@ -31,12 +31,14 @@ struct RunResult {
   std::optional<Solution> solution;  ///< none if it failed or was stopped
   std::string failure;               ///< why it failed
   Fault fault = Fault::input;        ///< of the failure
+  std::string not_kept;              ///< why the cache could not take the solution; empty if it did
   bool reused = false;               ///< it had been run before
 };
 
 /// Solves every problem for the times, several at once: each by one thread, as many as there are threads and as fit
-/// into the memory, the cheapest first. The last ones share the threads that are free. What is finished is kept at
-/// once; problems that occur twice are solved once. A run that fails leaves the others alone.
+/// into the memory beside the solutions, the dearest first. With fewer runs left than threads are free, they share
+/// those. What is finished is kept at once; problems that occur twice are solved once. A run that fails, or that cannot
+/// be kept, leaves the others alone.
 std::vector<RunResult> solve_all(const std::vector<Problem>& problems, const std::vector<double>& times,
                                  const RunCache& cache, const PoolSettings& settings);
 

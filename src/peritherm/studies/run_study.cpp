@@ -6,21 +6,27 @@
 
 #include "peritherm/base/text.hpp"
 #include "peritherm/output/labels.hpp"
+#include "peritherm/simulation/check.hpp"
 #include "peritherm/studies/study_errors.hpp"
 
 namespace peritherm {
 namespace {
 
+/// Numbers of runs of one variant in the list of problems.
+using RunNumbers = std::vector<std::size_t>;
+
 /// A run that is made again to see the error of the time integration.
 struct TimeCheck {
-  std::size_t run = 0;
+  std::size_t run = 0;  ///< number in the list of problems
+  std::size_t variant = 0;
   Problem problem;
   std::string how;
 };
 
 /// The same run, more exact in time; nothing if it has no means to be.
-std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t run) {
-  TimeCheck check{run, read.runs[run].problem, {}};
+std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t run, std::size_t variant,
+                                         const Problem& problem) {
+  TimeCheck check{run, variant, problem, {}};
   const bool changed = std::visit(
       [&](auto& options) {
         if constexpr (requires { options.relative_tolerance; }) {
@@ -41,28 +47,32 @@ std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t run)
   return changed ? std::optional(std::move(check)) : std::nullopt;
 }
 
-double points_of_run(const StudyRun& run) {
-  double points = 1.0;
-  for (const double length : run.problem.body.size) points *= length / run.spacing;
-  return points;
-}
-
 /// Of each variant the run in the middle, by its number of points: neither the cheapest nor the dearest.
-std::vector<TimeCheck> make_time_checks(const ReadStudy& read) {
+std::vector<TimeCheck> make_time_checks(const ReadStudy& read, const std::vector<Problem>& problems,
+                                        std::size_t per_variant) {
   std::vector<TimeCheck> checks;
   if (!read.study.vary.time_steps.empty()) return checks;
   for (std::size_t v = 0; v < read.cases.size(); ++v) {
-    std::vector<std::size_t> runs;
+    RunNumbers runs;
     for (std::size_t n = 0; n < read.runs.size(); ++n) {
       if (read.runs[n].variant == v) runs.push_back(n);
     }
+    // An intersection alone: its coarse runs.
+    for (std::size_t k = 0; read.runs.empty() && per_variant > 0 && k < 6; ++k) {
+      runs.push_back(read.runs.size() + v * per_variant + k);
+    }
     if (runs.empty()) continue;
-    std::stable_sort(runs.begin(), runs.end(), [&read](std::size_t a, std::size_t b) {
-      return points_of_run(read.runs[a]) < points_of_run(read.runs[b]);
+    std::stable_sort(runs.begin(), runs.end(), [&problems](std::size_t a, std::size_t b) {
+      return make_grid(problems[a]).size() < make_grid(problems[b]).size();
     });
-    if (auto check = make_time_check(read, runs[(runs.size() - 1) / 2])) checks.push_back(std::move(*check));
+    const std::size_t middle = runs[(runs.size() - 1) / 2];
+    if (auto check = make_time_check(read, middle, v, problems[middle])) checks.push_back(std::move(*check));
   }
   return checks;
+}
+
+std::string counted_runs(std::size_t count) {
+  return count == 1 ? "1 finished run" : std::to_string(count) + " finished runs";
 }
 
 /// Runs a list of problems and notes what became of them.
@@ -72,16 +82,17 @@ class StudyRunner {
       : read_(read), settings_(settings), cache_(settings.folder / "runs"), summary_(summary) {}
 
   void go() {
-    const std::vector<TimeCheck> checks = make_time_checks(read_);
     std::vector<Problem> problems;
     for (const StudyRun& run : read_.runs) problems.push_back(run.problem);
-    for (const TimeCheck& check : checks) problems.push_back(check.problem);
-    const std::size_t own = problems.size();
     const std::size_t per_variant = append_intersections(problems);
+    const std::vector<TimeCheck> checks = make_time_checks(read_, problems, per_variant);
+    const auto first_check = static_cast<std::ptrdiff_t>(problems.size());
+    for (const TimeCheck& check : checks) problems.push_back(check.problem);
     std::vector<RunResult> results = solve(problems);
-    note_time_errors(checks, results);
-    std::vector<RunResult> coarse(std::make_move_iterator(results.begin() + static_cast<std::ptrdiff_t>(own)),
-                                  std::make_move_iterator(results.end()));
+    note_time_errors(checks, problems, results);
+    const auto own = static_cast<std::ptrdiff_t>(read_.runs.size());
+    std::vector<RunResult> coarse(std::make_move_iterator(results.begin() + own),
+                                  std::make_move_iterator(results.begin() + first_check));
     results.resize(read_.runs.size());
     summary_.results = std::move(results);
     compare_runs(read_, summary_);
@@ -93,12 +104,18 @@ class StudyRunner {
  private:
   std::vector<RunResult> solve(const std::vector<Problem>& problems) {
     std::vector<RunResult> results = solve_all(problems, read_.study.times, cache_, settings_.pool);
+    std::size_t lost = 0;
+    std::string reason;
     for (std::size_t n = 0; n < results.size(); ++n) {
       ++summary_.runs;
+      if (!results[n].not_kept.empty() && ++lost == 1) reason = results[n].not_kept;
       summary_.reused += results[n].reused ? 1 : 0;
       if (results[n].failure.empty()) continue;
       const std::string name = run_name(read_.study, describe_run(problems[n]));
       note_failure("the run with " + name + " failed: " + results[n].failure, results[n].fault);
+    }
+    if (lost > 0) {
+      note_failure(counted_runs(lost) + " could not be kept for another time: " + reason, Fault::machine);
     }
     return results;
   }
@@ -120,12 +137,17 @@ class StudyRunner {
     return count;
   }
 
-  void note_time_errors(const std::vector<TimeCheck>& checks, const std::vector<RunResult>& results) {
+  void note_time_errors(const std::vector<TimeCheck>& checks, const std::vector<Problem>& problems,
+                        const std::vector<RunResult>& results) {
+    const std::size_t first_check = problems.size() - checks.size();
     for (std::size_t k = 0; k < checks.size(); ++k) {
-      const auto& first = results[checks[k].run].solution;
-      const auto& second = results[read_.runs.size() + k].solution;
-      if (first && second)
-        summary_.time_errors.push_back({checks[k].run, largest_difference(*first, *second), checks[k].how});
+      const std::size_t run = checks[k].run;
+      if (!results[run].solution || !results[first_check + k].solution) continue;
+      StudyRun described = run < read_.runs.size() ? read_.runs[run] : describe_run(problems[run]);
+      described.variant = checks[k].variant;
+      summary_.time_errors.push_back({run_name(read_.study, described),
+                                      largest_difference(*results[run].solution, *results[first_check + k].solution),
+                                      checks[k].how});
     }
   }
 

@@ -22,7 +22,7 @@ struct StudyRow {
 
 /// One run of each variant made again, ten times as exact in time.
 struct TimeError {
-  std::size_t run = 0;
+  std::string run;          ///< its name: variant, horizon, ratio, and what else is varied
   double difference = 0.0;  ///< most that the two differ, over all points and times [K]
   std::string how;          ///< "relative tolerance 1e-10 for 1e-9", "half the time step"
 };

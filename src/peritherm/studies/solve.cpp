@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/output/interpolation.hpp"
@@ -23,6 +24,16 @@ std::vector<double> points_of(const Assembly& assembly, ConstField state) {
   return values;
 }
 
+[[noreturn]] void refuse_temperature(const Grid& grid, std::size_t point, double time) {
+  const Point x = grid.position(grid.index(point));
+  std::ostringstream text;
+  text << "the temperature is not finite at t = " << time << " s, first at (" << x[0];
+  for (int axis = 1; axis < grid.dimension; ++axis) text << ", " << x[axis];
+  text << ") m";
+  throw Error(text.str(), "Look at sources, boundary values and initial temperatures near that place and time",
+              Fault::numerics);
+}
+
 /// Keeps the temperatures of every point at each time.
 class Recorder {
  public:
@@ -32,10 +43,10 @@ class Recorder {
     assembly_.system->begin_step(time, time);
     assembly_.system->fill(time, state);
     solution_.temperatures.push_back(points_of(assembly_, state));
-    for (std::size_t n = 0; n < solution_.temperatures.back().size(); ++n) {
-      if (std::isinf(solution_.temperatures.back()[n])) {
-        throw Error("a temperature becomes infinite", "Look at sources and boundary values", Fault::numerics);
-      }
+    const Body& body = assembly_.geometry.body;
+    for (std::size_t n = 0; n < body.grid.size(); ++n) {
+      if (body.material_of[n] == no_material || std::isfinite(solution_.temperatures.back()[n])) continue;
+      refuse_temperature(body.grid, n, time);
     }
     solution_.times.push_back(time);
     return true;

@@ -19,7 +19,7 @@ struct Solution {
   std::vector<std::vector<double>> temperatures;  ///< per time: of every point, x fastest; NaN where cut away
   StepCount count;
   std::string integrator;  ///< the one that was taken
-  double bonds = 0.0;      ///< pairs of points that exchange heat
+  double bonds = 0.0;      ///< pairs of points that exchange heat, each counted once
   double wall = 0.0;       ///< [s]
   /// Temperature at a place, linear between points.
   double at(std::size_t time, const Point& place) const;
@@ -27,7 +27,8 @@ struct Solution {
 
 /// Marches a problem through times (ascending, from 0 on) without writing files; `problem.time.end` and its outputs
 /// do not matter. `stop_requested` is asked after each step; true ends the march with fewer times.
-/// Throws Error with every fault of the problem.
+/// Throws Error with every fault of the problem, and (Fault::numerics) with place and time where a temperature is not
+/// finite.
 Solution solve(const Problem& problem, std::span<const double> times, const std::function<bool()>& stop_requested = {});
 
 }  // namespace peritherm

@@ -59,6 +59,20 @@ Curve level(const std::string& name, double from, double to, double value) {
   return {name, {from, to}, {value, value}, CurveStyle::dashed, 7};
 }
 
+/// One level if all curves share it. With a nonlocal solution of each run's own horizon there is none to draw.
+void add_references(Chart& chart, const std::vector<double>& references) {
+  const auto [least, most] = std::minmax_element(references.begin(), references.end());
+  if (*most - *least > 1e-12 * std::max(std::abs(*least), std::abs(*most))) return;
+  double low = HUGE_VAL, high = 0.0;
+  for (const Curve& curve : chart.curves) {
+    for (const double x : curve.x) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  }
+  chart.curves.push_back(level("reference", low, high, *most));
+}
+
 double parabola_at(const std::vector<double>& m, const std::array<double, 3>& values, double at) {
   double sum = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -129,8 +143,11 @@ Chart error_chart(const ReadStudy& read, const std::vector<const ConvergenceSeri
   // Rates of a horizon ratio are those of 1/m, which the axis does not show.
   if (group.front()->axis == "horizon ratio") return chart;
   // Below the lowest curve nothing is in the triangle's way.
-  const auto lowest = std::min_element(
-      group.begin(), group.end(), [](const auto* a, const auto* b) { return a->errors.back() < b->errors.back(); });
+  const auto last_error = [](const ConvergenceSeries* series) {
+    return std::isnan(series->errors.back()) ? HUGE_VAL : series->errors.back();
+  };
+  const auto lowest = std::min_element(group.begin(), group.end(),
+                                       [&](const auto* a, const auto* b) { return last_error(a) < last_error(b); });
   add_triangle(chart, chart.curves[static_cast<std::size_t>(lowest - group.begin())], (*lowest)->rate);
   return chart;
 }
@@ -141,8 +158,7 @@ Chart probe_chart(const ReadStudy& read, const StudySummary& summary, std::size_
   chart.y.label = "temperature at " + read.study.probes[probe].name;
   std::map<std::string, Curve> curves;
   std::vector<std::string> order;
-  double reference = std::nan("");
-  double low = HUGE_VAL, high = 0.0;
+  std::vector<double> references;
   for (const StudyRow& row : summary.rows) {
     if (row.time != time) continue;
     const StudyRun& run = read.runs[row.run];
@@ -154,13 +170,11 @@ Chart probe_chart(const ReadStudy& read, const StudySummary& summary, std::size_
     curve.style = CurveStyle::dots_on_line;
     curve.x.push_back(run.horizon_ratio);
     curve.y.push_back(row.probes[probe]);
-    reference = row.references[probe];
-    low = std::min(low, run.horizon_ratio);
-    high = std::max(high, run.horizon_ratio);
+    if (std::isfinite(row.references[probe])) references.push_back(row.references[probe]);
   }
   for (const std::string& name : order) chart.curves.push_back(curves[name]);
-  if (std::isfinite(reference) && !std::holds_alternative<FinestReference>(read.study.reference)) {
-    chart.curves.push_back(level("reference", low, high, reference));
+  if (!references.empty() && !std::holds_alternative<FinestReference>(read.study.reference)) {
+    add_references(chart, references);
   }
   return chart;
 }

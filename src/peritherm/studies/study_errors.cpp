@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "peritherm/base/larger.hpp"
+#include "peritherm/simulation/check.hpp"
+
 namespace peritherm {
 namespace {
 
@@ -44,20 +47,20 @@ std::vector<Point> asked_places(const ReadStudy& read, const Grid& grid, std::si
 
 }  // namespace
 
+double slack_of_places(const ReadStudy& read) {
+  const Grid grid = make_grid(read.cases.front());
+  double size = 0.0;
+  for (int axis = 0; axis < grid.dimension; ++axis) size = std::max(size, grid.length(axis));
+  return 1e-9 * size;
+}
+
 double reference_at(const ReadStudy& read, const Point& place, std::size_t time, double horizon,
                     const Solution* finest) {
   const double moment = read.study.times[time];
   if (std::holds_alternative<ExactReference>(read.study.reference)) return exact_for(read, horizon)(place, moment);
   if (finest != nullptr) return finest->at(time, place);
   if (!read.table) return no_value;
-  const ResultTable::Moment& known = *read.table->find(moment);
-  for (std::size_t n = 0; n < known.places.size(); ++n) {
-    const Point& other = known.places[n];
-    const double distance = std::hypot(other[0] - place[0], other[1] - place[1], other[2] - place[2]);
-    const double size = std::hypot(place[0], place[1], place[2]);
-    if (distance <= 1e-9 * size) return known.temperatures[n];
-  }
-  return no_value;
+  return read.table->find(moment)->temperature_at(place, slack_of_places(read)).value_or(no_value);
 }
 
 ComparedTemperatures compare(const ReadStudy& read, const Solution& solution, std::size_t time,
@@ -91,7 +94,7 @@ double measure(StudyNorm norm, std::span<const double> computed, std::span<const
     const double difference = computed[n] - reference[n];
     squares += difference * difference;
     reference_squares += reference[n] * reference[n];
-    largest = std::max(largest, std::abs(difference));
+    largest = larger(largest, std::abs(difference));
     if (difference != 0.0) relative_squares += difference * difference / (reference[n] * reference[n]);
   }
   if (computed.empty()) return no_value;
@@ -113,8 +116,9 @@ double largest_difference(const Solution& first, const Solution& second) {
   double largest = 0.0;
   for (std::size_t t = 0; t < first.temperatures.size(); ++t) {
     for (std::size_t n = 0; n < first.temperatures[t].size(); ++n) {
-      const double difference = std::abs(first.temperatures[t][n] - second.temperatures[t][n]);
-      if (difference > largest) largest = difference;
+      const double one = first.temperatures[t][n], other = second.temperatures[t][n];
+      const bool cut_away = std::isnan(one) && std::isnan(other);
+      if (!cut_away) largest = larger(largest, std::abs(one - other));
     }
   }
   return largest;

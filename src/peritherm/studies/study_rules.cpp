@@ -7,7 +7,9 @@
 #include "peritherm/simulation/checker.hpp"
 #include "peritherm/simulation/locations.hpp"
 #include "peritherm/studies/field_file.hpp"
+#include "peritherm/studies/intersection.hpp"
 #include "peritherm/studies/study_checker.hpp"
+#include "peritherm/studies/study_errors.hpp"
 
 namespace peritherm {
 namespace {
@@ -127,9 +129,11 @@ std::string blamed_key(const StudyAxes& axes, const std::array<int, 4>& entries,
   return found == candidates.end() ? "" : *found;
 }
 
-void add_run_issues(StudyChecker& checker, const std::vector<Issue>& faults, const std::array<int, 4>& entries) {
+/// `blame(key)` names the key of the study that makes the case's own key faulty; empty: none does.
+template <class Blame>
+void add_run_issues(StudyChecker& checker, const std::vector<Issue>& faults, const Blame& blame) {
   for (Issue issue : faults) {
-    const std::string blamed = blamed_key(checker.read.study.vary, entries, issue.where.key);
+    const std::string blamed = blame(issue.where.key);
     if (!blamed.empty()) {
       issue.problem = "makes a case that cannot run: " + issue.where.key + ": " + issue.problem;
       issue.where = find_location(checker.locations, blamed);
@@ -140,13 +144,25 @@ void add_run_issues(StudyChecker& checker, const std::vector<Issue>& faults, con
   }
 }
 
+std::vector<Issue> faults_of_choice(const StudyChecker& checker, std::size_t variant, const RunChoice& choice) {
+  const Study& study = checker.read.study;
+  const Problem& base = checker.read.cases[variant];
+  const Locations& locations = checker.case_locations[variant];
+  if (makes_too_many_cells(base, choice)) {
+    return {{find_location(locations, "body.cells"), "makes more than 1e9 cells along an axis", "Choose fewer cells"}};
+  }
+  return find_faults(apply_choice(base, choice, study.tolerance, study.times.back()), locations);
+}
+
 void make_run(StudyChecker& checker, std::size_t variant, const std::array<int, 4>& entries) {
   const Study& study = checker.read.study;
-  Problem problem =
-      apply_choice(checker.read.cases[variant], choice_of(study.vary, entries), study.tolerance, study.times.back());
-  const std::vector<Issue> faults = find_faults(problem, checker.case_locations[variant]);
-  if (!faults.empty()) return add_run_issues(checker, faults, entries);
-  StudyRun run = describe_run(std::move(problem));
+  const RunChoice choice = choice_of(study.vary, entries);
+  const std::vector<Issue> faults = faults_of_choice(checker, variant, choice);
+  if (!faults.empty()) {
+    return add_run_issues(checker, faults,
+                          [&](const std::string& key) { return blamed_key(study.vary, entries, key); });
+  }
+  StudyRun run = describe_run(apply_choice(checker.read.cases[variant], choice, study.tolerance, study.times.back()));
   run.variant = variant;
   run.entries = entries;
   checker.read.runs.push_back(std::move(run));
@@ -172,6 +188,63 @@ void for_each_combination(const StudyAxes& axes, const Visit& visit) {
     }
     if (std::all_of(entries.begin(), entries.end(), [](int entry) { return entry <= 0; })) return;
   }
+}
+
+/// Key of the intersection that is to blame for a fault of one of its runs.
+std::string blamed_intersection_key(const IntersectionOptions& options, double shortest_side, std::size_t run,
+                                    const std::string& key) {
+  const bool is_single = run >= 6;
+  const double horizon = is_single ? options.single->horizon : options.horizons[run / 3];
+  const double ratio = is_single ? options.single->horizon_ratio : options.horizon_ratios[run % 3];
+  const std::string horizon_key =
+      is_single ? "intersection.single.horizon" : join_path("intersection.horizon", run / 3);
+  const std::string ratio_key =
+      is_single ? "intersection.single.horizon_ratio" : join_path("intersection.horizon_ratio", run % 3);
+  if (keys_touch(key, "body.cells")) return horizon_key;
+  // What reaches through the whole body is too large a horizon; else too few neighbours make the fault.
+  const bool too_large = horizon + 1.5 * horizon / ratio > shortest_side;
+  return keys_touch(key, "nonlocality") ? (too_large ? horizon_key : ratio_key) : "";
+}
+
+void check_intersection_runs(StudyChecker& checker) {
+  const IntersectionOptions& options = *checker.read.study.intersection;
+  const std::vector<RunChoice> choices = intersection_choices(options);
+  for (std::size_t v = 0; v < checker.read.cases.size(); ++v) {
+    const Coordinates& size = checker.read.cases[v].body.size;
+    const double shortest_side = *std::min_element(size.begin(), size.end());
+    for (std::size_t run = 0; run < choices.size(); ++run) {
+      std::vector<Issue> faults = faults_of_choice(checker, v, choices[run]);
+      const auto blame = [&](const std::string& key) {
+        return blamed_intersection_key(options, shortest_side, run, key);
+      };
+      for (Issue& fault : faults) {
+        // The case's own advice is about the ratio.
+        if (blame(fault.where.key).find(".horizon_ratio") == std::string::npos && !blame(fault.where.key).empty()) {
+          fault.hint = "Choose another horizon";
+        }
+      }
+      add_run_issues(checker, faults, blame);
+    }
+  }
+}
+
+/// Places whose temperature is compared with that of a table must be places of it.
+void check_place_of_table(StudyChecker& checker, const std::string& key, const Coordinates& place) {
+  if (!checker.sound(key) || place.size() != checker.read.cases.front().body.size.size()) return;
+  for (const double time : checker.read.study.times) {
+    const ResultTable::Moment* moment = checker.read.table->find(time);
+    if (moment == nullptr || moment->temperature_at(to_point(place), slack_of_places(checker.read))) continue;
+    return checker.add(key, "is no place of the table of results at t = " + shortest(time) + " s",
+                       "Choose a place that the table holds, or leave it out");
+  }
+}
+
+void check_places_of_table(StudyChecker& checker) {
+  const Study& study = checker.read.study;
+  for (std::size_t i = 0; i < study.probes.size(); ++i) {
+    check_place_of_table(checker, join_path("probe", i) + ".at", study.probes[i].at);
+  }
+  if (study.intersection) check_place_of_table(checker, "intersection.at", study.intersection->at);
 }
 
 bool takes_steps(StudyChecker& checker) {
@@ -205,6 +278,7 @@ void check_study_reference(StudyChecker& checker) {
   if (!checker.has_case() || !checker.sound("reference")) return;
   const StudyReference& reference = checker.read.study.reference;
   if (const auto* results = std::get_if<ResultsReference>(&reference)) check_table(checker, *results);
+  if (checker.read.table) check_places_of_table(checker);
   if (const auto* exact = std::get_if<ExactReference>(&reference)) check_exact(checker, *exact);
   if (std::holds_alternative<ResultsReference>(reference) && checker.read.study.line) {
     checker.add("line", "stands beside a table of results, at whose places errors are taken", "Leave it out");
@@ -222,8 +296,12 @@ void check_intersection(StudyChecker& checker) {
       checker.add(key, "holds a value twice", "Give " + std::to_string(wanted) + " different ones");
     }
   };
+  const std::size_t issues_before = checker.issues.size();
   check_count("intersection.horizon", intersection->horizons, 2);
   check_count("intersection.horizon_ratio", intersection->horizon_ratios, 3);
+  if (checker.has_case() && checker.sound("times") && checker.issues.size() == issues_before) {
+    check_intersection_runs(checker);
+  }
   if (checker.has_case()) check_place(checker, "intersection.at", intersection->at);
   if (checker.sound("reference") && std::holds_alternative<FinestReference>(checker.read.study.reference)) {
     checker.add("intersection", "asks for a reference that does not come from the runs themselves",

@@ -11,11 +11,14 @@ namespace peritherm {
 namespace {
 
 constexpr double whole_slack = 1e-9;
+constexpr double most_cells_along = 1e9;
 
 /// Cells along every axis for so many along x.
 std::vector<int> cells_of_cubes(const Coordinates& size, double along_x) {
   std::vector<int> cells;
-  for (const double length : size) cells.push_back(static_cast<int>(std::lround(along_x * length / size[0])));
+  for (const double length : size) {
+    cells.push_back(static_cast<int>(std::lround(std::min(along_x * length / size[0], most_cells_along))));
+  }
   return cells;
 }
 
@@ -28,7 +31,7 @@ bool are_cubes(const Coordinates& size, int along_x) {
 
 /// The whole number of cells along x nearest to the wanted one that makes cubes.
 int nearest_cells(const Coordinates& size, double wanted) {
-  const int start = std::max(1, static_cast<int>(std::lround(std::min(wanted, 1e9))));
+  const int start = std::max(1, static_cast<int>(std::lround(std::min(wanted, most_cells_along))));
   for (int off = 0; off <= start / 2; ++off) {
     const bool below_first = wanted < start;
     for (const int cells : {below_first ? start - off : start + off, below_first ? start + off : start - off}) {
@@ -108,6 +111,17 @@ Problem apply_choice(const Problem& base, const RunChoice& choice, double tolera
     set_ratio(problem, ratio);
   }
   return problem;
+}
+
+bool makes_too_many_cells(const Problem& base, const RunChoice& choice) {
+  if (choice.spacing) return false;  // Refused as that of a case is.
+  double along_x = choice.cells.value_or(0);
+  if (!choice.cells && (choice.horizon || choice.horizon_ratio)) {
+    along_x =
+        base.body.size[0] * choice.horizon_ratio.value_or(ratio_of(base)) / choice.horizon.value_or(horizon_of(base));
+  }
+  return std::any_of(base.body.size.begin(), base.body.size.end(),
+                     [&](double length) { return !(along_x * length / base.body.size[0] <= most_cells_along); });
 }
 
 StudyRun describe_run(Problem problem) {

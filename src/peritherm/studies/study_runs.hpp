@@ -39,6 +39,9 @@ struct RunChoice {
 /// the number of cells, rounded to whole ones; the ratio is exact, so that the horizon may differ by part of a spacing.
 Problem apply_choice(const Problem& base, const RunChoice& choice, double tolerance, double end);
 
+/// Would a choice make more than 1e9 cells along an axis? `apply_choice` then takes fewer.
+bool makes_too_many_cells(const Problem& base, const RunChoice& choice);
+
 /// A run with its numbers; the problem's body must be sound.
 StudyRun describe_run(Problem problem);
 
@@ -51,7 +54,8 @@ void set_tolerance(TimeStepping& stepping, double tolerance);
 /// Number of values along an axis; 0: it is not varied.
 std::size_t count_values(const StudyAxes& axes, StudyAxis axis);
 
-/// "horizon 5 mm, ratio 4": the parameters of a run that tell it from others of the study.
+/// "trapezoid, horizon 5 mm, horizon ratio 4": the variant if there are several, what is varied, and before two parts
+/// stand there horizon and ratio in any case.
 std::string run_name(const Study& study, const StudyRun& run);
 
 /// "horizon", "horizon ratio", "spacing", "time step".

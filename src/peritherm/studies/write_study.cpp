@@ -8,6 +8,7 @@
 #include "peritherm/output/csv.hpp"
 #include "peritherm/simulation/toml_text.hpp"
 #include "peritherm/simulation/write.hpp"
+#include "peritherm/studies/run_cache.hpp"
 #include "peritherm/studies/run_study.hpp"
 
 namespace peritherm {
@@ -16,10 +17,25 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// What tells one study from another: its own text and its cases, with every default filled in.
+/// Every number of a table of results, so that another content makes another study.
+std::string text_of_table(const ResultTable& table) {
+  std::string text;
+  for (const ResultTable::Moment& moment : table.moments) {
+    text += "t = " + exact_text(moment.time) + '\n';
+    for (std::size_t n = 0; n < moment.places.size(); ++n) {
+      for (const double x : moment.places[n]) text += exact_text(x) + ' ';
+      text += exact_text(moment.temperatures[n]) + '\n';
+    }
+  }
+  return text;
+}
+
+/// What tells one study from another: its own text and its cases, with every default filled in, and what stands in the
+/// files that they name.
 std::string signature_of(const ReadStudy& read) {
   std::string text = toml_table(read.study);
-  for (const Problem& problem : read.cases) text += '\n' + write_problem(problem);
+  for (const Problem& problem : read.cases) text += '\n' + write_problem(problem) + marks_of_files(problem);
+  if (read.table) text += "reference.file: " + mark_of(text_of_table(*read.table)) + '\n';
   return text;
 }
 
@@ -228,9 +244,8 @@ Json study_json(const ReadStudy& read, const StudySummary& summary) {
             {"runs", runs_json(read, summary)},  {"series", series_json(summary)}, {"time_errors", Json::array()},
             {"failures", summary.failures}};
   for (const TimeError& error : summary.time_errors) {
-    json["time_errors"].push_back({{"run", run_name(read.study, read.runs[error.run])},
-                                   {"largest_difference", error.difference},
-                                   {"made_again_with", error.how}});
+    json["time_errors"].push_back(
+        {{"run", error.run}, {"largest_difference", number_or_null(error.difference)}, {"made_again_with", error.how}});
   }
   for (const IntersectionResult& result : summary.intersections) {
     json["intersections"].push_back(intersection_json(result));

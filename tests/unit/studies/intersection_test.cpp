@@ -52,6 +52,10 @@ TEST(Intersection, of_the_homogeneous_bar_is_that_of_the_prototypes_for_every_qu
   const StudySummary summary = run_intersection(folder, "study.toml");
   // whole, half, half_normalised, cell_integrated, trapezoid
   expect_ratios(summary, {2.8888, 3.327, 3.2555, 3.3844, 3.5648});
+  // Without runs of [vary] the time is checked in a coarse run of each variant: to 1e-9 of a span of 100, and a margin.
+  ASSERT_EQ(summary.time_errors.size(), 5U);
+  for (const TimeError& error : summary.time_errors) EXPECT_LT(error.difference, 1e-6) << error.run;
+  EXPECT_EQ(summary.time_errors[1].run.find("half, horizon"), 0U) << summary.time_errors[1].run;
   for (const std::size_t compatible : {0, 2, 4}) {
     const IntersectionResult& result = summary.intersections[compatible];
     EXPECT_GT(result.single->rms / result.rerun->rms, 4.0) << result.variant;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "peritherm/base/version.hpp"
 #include "support/run_problem.hpp"
 #include "support/study_folder.hpp"
 
@@ -57,6 +58,23 @@ TEST(RunKey, knows_what_decides_the_temperatures_and_nothing_else) {
   other.nonlocality.horizon_ratio = 3.5;
   EXPECT_NE(run_key(other, times), key);
   EXPECT_NE(run_key(problem, std::vector{0.25, 1.0}), key);
+}
+
+TEST(RunKey, knows_the_version_and_the_content_of_the_files_that_a_problem_names) {
+  const StudyFolder folder("key_of_files");
+  Problem problem = unit_body(1, 10, 3.0);
+  const std::vector<double> times{1.0};
+  // With the commit, as the program tells it.
+  EXPECT_EQ(run_key(problem, times).find("peritherm " + std::string(version()) + "\n"), 0U);
+  problem.damage.emplace();
+  problem.damage->table = folder.file("moves.csv");
+  const std::string missing = run_key(problem, times);
+  folder.write("moves.csv", "x,u\n0,1\n");
+  const std::string first = run_key(problem, times);
+  EXPECT_NE(first, missing);
+  EXPECT_EQ(run_key(problem, times), first);
+  folder.write("moves.csv", "x,u\n0,2\n");
+  EXPECT_NE(run_key(problem, times), first);
 }
 
 }  // namespace

@@ -33,5 +33,22 @@ TEST(Solve, keeps_what_it_has_when_it_is_stopped) {
   EXPECT_LT(solution.times.size(), 2U);
 }
 
+TEST(Solve, refuses_temperatures_that_are_not_finite_with_place_and_time) {
+  Problem problem = unit_body(2, 10, 2.0);
+  // Passes the largest number, 1.8e308, between the two times.
+  HeatSource source;
+  source.value = 1e308;
+  problem.sources.push_back(source);
+  problem.time.integrator = RungeKutta4{};
+  try {
+    solve(problem, std::vector{0.5, 4.0});
+    ADD_FAILURE() << "nothing was said";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::numerics) << error.what();
+    EXPECT_NE(std::string(error.what()).find("not finite at t = 4 s, first at (0.05, 0.05) m"), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace peritherm

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <random>
 
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/read.hpp"
 #include "peritherm/simulation/simulate.hpp"
+#include "peritherm/studies/field_file.hpp"
 #include "peritherm/studies/run_study.hpp"
 #include "support/study_folder.hpp"
 
@@ -84,7 +87,7 @@ TEST(Study, what_was_finished_before_an_interruption_is_not_run_again) {
   const StudyFolder folder("resumed");
   const ReadStudy read = bar_study(folder, "[vary]\nhorizon = [0.2, 0.1, 0.05]\n");
   StudySettings settings = folder.settings();
-  std::size_t finished = 0;
+  std::atomic<std::size_t> finished = 0;
   settings.pool.on_progress = [&finished](const StudyProgress& progress) { finished = progress.finished; };
   settings.pool.stop_requested = [&finished] { return finished >= 2; };
   const StudySummary stopped = run_study(read, settings);
@@ -153,6 +156,108 @@ TEST(Study, results_of_another_study_are_kept) {
   StudySettings settings = folder.settings();
   settings.overwrite = true;
   EXPECT_EQ(run_study(other, settings).reused, 2U);  // The run with the larger horizon, and its check in time.
+}
+
+TEST(Study, runs_that_cannot_be_kept_are_compared_all_the_same) {
+  const StudyFolder folder("not_kept");
+  const ReadStudy read = bar_study(folder, "[vary]\nhorizon = [0.2, 0.1]\n");
+  StudySettings settings = folder.settings();
+  bool removed = false;
+  // Takes the folder away when the first run begins, as a disk that is lost.
+  settings.pool.on_progress = [&](const StudyProgress&) {
+    if (!removed) std::filesystem::remove_all(settings.folder / "runs");
+    removed = true;
+  };
+  const StudySummary summary = run_study(read, settings);
+  EXPECT_EQ(summary.rows.size(), 2U);
+  ASSERT_EQ(summary.failures.size(), 1U);
+  EXPECT_NE(summary.failures[0].find("3 finished runs could not be kept"), std::string::npos) << summary.failures[0];
+  EXPECT_EQ(summary.fault, Fault::machine);
+}
+
+TEST(Study, another_content_of_the_reference_makes_another_study) {
+  const StudyFolder folder("content");
+  const std::string reference = "[reference]\ntype = \"results\"\nfile = \"known.csv\"\n";
+  const std::string body = "[vary]\nhorizon = [0.2, 0.1]\n";
+  folder.write("known.csv", "x,t,T\n0.25,0.1,0.4\n");
+  run_study(bar_study(folder, body, reference), folder.settings());
+  EXPECT_NO_THROW(run_study(bar_study(folder, body, reference), folder.settings()));
+  folder.write("known.csv", "x,t,T\n0.25,0.1,0.5\n");
+  EXPECT_THROW(run_study(bar_study(folder, body, reference), folder.settings()), Error);
+}
+
+/// A field file that a run of the bar has written.
+std::string written_field(const StudyFolder& folder) {
+  folder.write("case.toml", std::string(study_bar) + "[[output]]\ntype = \"vtk\"\ntimes = [0.1]\n");
+  RunSettings settings;
+  settings.folder = folder.path() / "run";
+  run(read_case_file(folder.file("case.toml")).problem, settings);
+  std::ifstream in(folder.path() / "run/fields/0000.vti", std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string replaced(std::string text, const std::string& before, const std::string& after) {
+  const std::size_t at = text.find(before);
+  EXPECT_NE(at, std::string::npos) << before;
+  return text.replace(at, before.size(), after);
+}
+
+TEST(FieldFile, that_is_damaged_is_refused_or_read_and_nothing_else) {
+  const StudyFolder folder("damaged_field");
+  const std::string whole = written_field(folder);
+  const auto read = [&folder](const std::string& text) {
+    folder.write("field.vti", text);
+    return read_field_file(folder.file("field.vti"));
+  };
+  EXPECT_EQ(read(whole).moments[0].temperatures.size(), 21U);
+  const std::string extent = "WholeExtent=\"0 20";
+  for (const char* other :
+       {"WholeExtent=\"0 -2", "WholeExtent=\"0 1e30", "WholeExtent=\"5 20", "WholeExtent=\"0 20.5"}) {
+    EXPECT_THROW(read(replaced(whole, extent, other)), Error) << other;
+  }
+  const std::size_t name = whole.find("Name=\"temperature\"");
+  const std::string head = whole.substr(0, name), tail = whole.substr(name);
+  for (const char* offset : {"99999999999999999999999", "18446744073709551610", "-8", "x"}) {
+    EXPECT_THROW(read(head + replaced(tail, "offset=\"", std::string("offset=\"") + offset)), Error) << offset;
+  }
+  std::mt19937 random(1);
+  for (int round = 0; round < 1500; ++round) {
+    std::string text = whole;
+    if (round % 3 == 0) text.resize(random() % text.size());
+    for (int n = 0; n < 3 && !text.empty(); ++n) text[random() % text.size()] = static_cast<char>(random());
+    try {
+      read(text);
+    } catch (const Error&) {
+    }
+  }
+}
+
+TEST(StudyFaults, of_the_runs_of_an_intersection_are_told_before_anything_runs) {
+  const StudyFolder folder("intersection_faults");
+  const auto faults = [&folder](const std::string& intersection) {
+    return study_faults(
+        folder, std::string(study_head) + exact_reference + "[intersection]\nat = [0.5]\ntime = 0.1\n" + intersection);
+  };
+  EXPECT_EQ(faults("horizon = [0.2, 0.1]\n"), "");
+  std::string text = faults("horizon = [0.2, 0.1]\nhorizon_ratio = [2, 0.5, 4]\n");
+  EXPECT_NE(text.find("intersection.horizon_ratio.1: makes a case that cannot run"), std::string::npos) << text;
+  text = faults("horizon = [0.2, 1.5]\n");
+  EXPECT_NE(text.find("intersection.horizon.1: makes a case that cannot run"), std::string::npos) << text;
+  text = faults("horizon = [0.2, 0.1]\nsingle = { horizon = 0.1, horizon_ratio = 0.5 }\n");
+  EXPECT_NE(text.find("intersection.single.horizon_ratio: makes a case"), std::string::npos) << text;
+  text = faults("horizon = [0.2, 1e-12]\n");
+  EXPECT_NE(text.find("more than 1e9 cells along an axis"), std::string::npos) << text;
+}
+
+TEST(StudyFaults, a_probe_must_be_a_place_of_the_table) {
+  const StudyFolder folder("probe_of_table");
+  folder.write("known.csv", "x,t,T\n0,0.1,0\n0.25,0.1,0.4\n");
+  const std::string start = std::string(study_head) + "[vary]\nhorizon = [0.2, 0.1]\n[reference]\n" +
+                            "type = \"results\"\nfile = \"known.csv\"\n[[probe]]\nname = \"p\"\n";
+  EXPECT_EQ(study_faults(folder, start + "at = [0.25]\n"), "");
+  EXPECT_EQ(study_faults(folder, start + "at = [1e-12]\n"), "");
+  const std::string text = study_faults(folder, start + "at = [0.3]\n");
+  EXPECT_NE(text.find("probe.0.at: is no place of the table of results at t = 0.1 s"), std::string::npos) << text;
 }
 
 TEST(StudyFaults, are_told_all_at_once_with_their_places) {
