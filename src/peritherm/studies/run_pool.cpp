@@ -94,8 +94,11 @@ class RunPool {
     free_memory_ = static_cast<double>(available_memory());
     memory_known_ = free_memory_ > 0.0;
     free_memory_ -= copied;
-    // The dearest is taken first, so that no thread is left alone with it at the end.
-    std::stable_sort(pending_.begin(), pending_.end(), [](const auto& a, const auto& b) { return a.cost > b.cost; });
+    // By several threads the dearest is taken first, so that none is left alone with it at the end; by one thread the
+    // cheapest, so that an interrupted study keeps many runs.
+    const double sign = free_threads_ > 1 ? 1.0 : -1.0;
+    std::stable_sort(pending_.begin(), pending_.end(),
+                     [sign](const auto& a, const auto& b) { return sign * a.cost > sign * b.cost; });
   }
 
   /// False if the run cannot be made at all.

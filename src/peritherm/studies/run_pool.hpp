@@ -36,9 +36,9 @@ struct RunResult {
 };
 
 /// Solves every problem for the times, several at once: each by one thread, as many as there are threads and as fit
-/// into the memory beside the solutions, the dearest first. With fewer runs left than threads are free, they share
-/// those. What is finished is kept at once; problems that occur twice are solved once. A run that fails, or that cannot
-/// be kept, leaves the others alone.
+/// into the memory beside the solutions, the dearest first (by one thread the cheapest). With fewer runs left than
+/// threads are free, they share those. What is finished is kept at once; problems that occur twice are solved once. A
+/// run that fails, or that cannot be kept, leaves the others alone.
 std::vector<RunResult> solve_all(const std::vector<Problem>& problems, const std::vector<double>& times,
                                  const RunCache& cache, const PoolSettings& settings);
 
