@@ -9,8 +9,9 @@ namespace {
 double published_crack_tolerance(const std::string& name) { return name.starts_with("crossing") ? 3e-6 : 1e-6; }
 
 /// The cracked plates of the 2012 paper in its own scheme.
-Problem published_cracks(const std::string& name, const std::string& sides) {
-  Problem problem = cracked_square(60, published_crack_tolerance(name));
+Problem published_cracks(const std::string& name, const std::string& sides, bool late) {
+  // Errors of the steps add up until late times.
+  Problem problem = cracked_square(60, published_crack_tolerance(name) * (late ? 0.1 : 1.0));
   problem.nonlocality.scheme = Scheme::bobaru_2012;
   for (BoundaryOptions& boundary : problem.boundaries) std::get<HeldTemperature>(boundary.condition).imposed.reset();
   if (sides == "natural") {
@@ -35,7 +36,7 @@ Problem published_cracks(const std::string& name, const std::string& sides) {
 /// The rows of one plate, in the order of time.
 void expect_published_cracks(const std::string& name, const std::string& sides, double tolerance, double latest) {
   const Published published("bobaru_2012_flux_formula_cracks");
-  March run(published_cracks(name, sides));
+  March run(published_cracks(name, sides, latest > 1.0));
   std::size_t compared = 0;
   double largest = 0.0;
   for (std::size_t row = 0; row < published.size(); ++row) {
