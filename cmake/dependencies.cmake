@@ -6,6 +6,7 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(muparser REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 
 # The fft backend. FFTW is under the GPL, and so is a program that is linked to it; without it everything else works.
@@ -15,6 +16,15 @@ if(PERITHERM_FFTW STREQUAL "AUTO")
   pkg_check_modules(fftw IMPORTED_TARGET fftw3 fftw3f)
 elseif(PERITHERM_FFTW)
   pkg_check_modules(fftw REQUIRED IMPORTED_TARGET fftw3 fftw3f)
+endif()
+
+# Files of reduced models.
+set(PERITHERM_HDF5 AUTO CACHE STRING "Read and write reduced models, which needs HDF5: ON, OFF, or AUTO for if it is found")
+set_property(CACHE PERITHERM_HDF5 PROPERTY STRINGS AUTO ON OFF)
+if(PERITHERM_HDF5 STREQUAL "AUTO")
+  pkg_check_modules(hdf5 IMPORTED_TARGET hdf5-serial)
+elseif(PERITHERM_HDF5)
+  pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5-serial)
 endif()
 
 # toml++ is compiled once, in simulation/toml_implementation.cpp: seven seconds less for every other file that reads it.

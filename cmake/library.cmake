@@ -1,7 +1,7 @@
 # The library: every *.cpp of every room, without a list to keep.
 include(cmake/version.cmake)
 
-set(PERITHERM_ROOMS base geometry physics solutions discretisation operators system integrators output simulation studies papers)
+set(PERITHERM_ROOMS base geometry physics solutions discretisation operators system integrators reduction output simulation studies papers)
 set(sources)
 set(headers)
 foreach(room IN LISTS PERITHERM_ROOMS)
@@ -40,6 +40,11 @@ else()
   list(FILTER sources EXCLUDE REGEX "/sundials_(arkode|cvode|linear_solver|march)\\.cpp$")
 endif()
 list(FILTER headers EXCLUDE REGEX "/sundials_[a-z_]+\\.hpp$")
+if(TARGET PkgConfig::hdf5)
+  list(FILTER sources EXCLUDE REGEX "/model_file_unavailable\\.cpp$")
+else()
+  list(FILTER sources EXCLUDE REGEX "/model_file\\.cpp$")
+endif()
 
 # Contraction to fused multiply-adds is allowed where it pays and nowhere else, so that all other code gives the same
 # bits on every processor.
@@ -76,9 +81,12 @@ set_target_properties(peritherm PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BU
 target_link_libraries(
   peritherm
   PRIVATE $<BUILD_INTERFACE:peritherm_options> $<BUILD_INTERFACE:peritherm_toml> OpenMP::OpenMP_CXX ZLIB::ZLIB fmt::fmt
-          nlohmann_json::nlohmann_json muparser::muparser PkgConfig::cairo)
+          nlohmann_json::nlohmann_json muparser::muparser PkgConfig::cairo $<BUILD_INTERFACE:Eigen3::Eigen>)
 if(TARGET PkgConfig::fftw)
   target_link_libraries(peritherm PRIVATE PkgConfig::fftw)
+endif()
+if(TARGET PkgConfig::hdf5)
+  target_link_libraries(peritherm PRIVATE PkgConfig::hdf5)
 endif()
 if(PERITHERM_HAS_SUNDIALS)
   target_link_libraries(peritherm PRIVATE $<BUILD_INTERFACE:peritherm_sundials>)

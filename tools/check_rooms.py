@@ -8,8 +8,8 @@ import re
 import sys
 from pathlib import Path
 
-ROOMS = ["base", "geometry", "physics", "solutions", "discretisation", "operators", "system", "integrators", "output",
-         "simulation", "studies", "papers"]
+ROOMS = ["base", "geometry", "physics", "solutions", "discretisation", "operators", "system", "integrators", "reduction",
+         "output", "simulation", "studies", "papers"]
 SEES_ONLY = {"output": {"base", "solutions", "discretisation", "output"}}
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60

@@ -7,7 +7,7 @@
 set -euo pipefail
 
 run_packages=(g++ cmake ninja-build make pkg-config git ccache libtomlplusplus-dev libmuparser-dev libfmt-dev
-  nlohmann-json3-dev libcli11-dev libcairo2-dev zlib1g-dev libfftw3-dev)
+  nlohmann-json3-dev libcli11-dev libcairo2-dev zlib1g-dev libfftw3-dev libeigen3-dev libhdf5-dev)
 test_packages=(libgtest-dev librapidcheck-dev python3 python3-vtk9)
 check_packages=(clang-format)
 # Optional: with it, the integrators cvode and arkode. Debian's package brings PETSc and MPI along, so only checks ask.
@@ -28,7 +28,7 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   cat >&2 <<TEXT
 error: this is no Debian-like system, so nothing can be installed for you.
 Install a C++20 compiler with OpenMP, CMake 3.25 or later, Ninja and pkg-config, and the development files of toml++ 3.3,
-muParser, fmt, nlohmann-json, CLI11, cairo and zlib, and FFTW if you want the fft backend; for the tests GoogleTest, RapidCheck and Python 3.11.
+muParser, fmt, nlohmann-json, CLI11, Eigen 3.4, cairo and zlib, FFTW if you want the fft backend and HDF5 for reduced models; for the tests GoogleTest, RapidCheck and Python 3.11.
 Debian calls them: ${packages[*]}
 Then run the same command again with PERITHERM_SKIP_INSTALL=1.
 TEXT
