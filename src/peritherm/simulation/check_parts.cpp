@@ -7,9 +7,6 @@
 #include "peritherm/simulation/checker.hpp"
 
 namespace peritherm {
-namespace {
-
-constexpr double most_outputs = 1e6;  ///< times of one output
 
 bool in_box(const Grid& grid, const Point& place) {
   for (int axis = 0; axis < grid.dimension; ++axis) {
@@ -30,6 +27,10 @@ std::string box_text(const Grid& grid) {
   }
   return text + " m";
 }
+
+namespace {
+
+constexpr double most_outputs = 1e6;  ///< times of one output
 
 /// Does the crack, which must have no fault, stay clear of the body?
 bool misses_body(const Crack& crack, const Grid& grid) {
