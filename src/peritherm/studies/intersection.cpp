@@ -79,10 +79,14 @@ std::optional<CurveCrossing> find_crossing(const std::array<double, 3>& ratios, 
   std::optional<CurveCrossing> found;
   for (const double root : real_roots(parabola(ratios, difference))) {
     if (!(root > 0.0) || !std::isfinite(root) || (found && root >= found->ratio)) continue;
-    const std::array<double, 3> c = parabola(ratios, first);
-    found = CurveCrossing{root, c[0] + root * (c[1] + root * c[2])};
+    found = CurveCrossing{root, parabola_at(ratios, first, root)};
   }
   return found;
+}
+
+double parabola_at(const std::array<double, 3>& ratios, const std::array<double, 3>& temperatures, double ratio) {
+  const std::array<double, 3> c = parabola(ratios, temperatures);
+  return c[0] + ratio * (c[1] + ratio * c[2]);
 }
 
 double IntersectionResult::cost() const {

@@ -22,6 +22,9 @@ struct CurveCrossing {
 std::optional<CurveCrossing> find_crossing(const std::array<double, 3>& ratios, const std::array<double, 3>& first,
                                            const std::array<double, 3>& second);
 
+/// The parabola through three temperatures at another ratio.
+double parabola_at(const std::array<double, 3>& ratios, const std::array<double, 3>& temperatures, double ratio);
+
 /// The curves of two horizons at a place and time.
 struct LocatedCrossing {
   Point place{};
