@@ -1,5 +1,7 @@
 #include "peritherm/studies/solve.hpp"
 
+#include <omp.h>
+
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,6 @@
 #include "peritherm/output/interpolation.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
-#include "peritherm/simulation/plan.hpp"
 
 namespace peritherm {
 namespace {
@@ -63,12 +64,20 @@ double Solution::at(std::size_t time, const Point& place) const {
   return interpolate(grid, temperatures.at(time), place);
 }
 
-Solution solve(const Problem& given, std::span<const double> times, const std::function<bool()>& stop_requested) {
-  Problem problem = given;
+Prepared prepare_to_solve(Problem problem, std::span<const double> times) {
   if (!times.empty() && times.back() > 0.0) problem.time.end = times.back();
   problem.outputs.clear();
   check(problem);
-  problem = prepare(problem).problem;
+  return prepare(problem);
+}
+
+Solution solve(const Problem& problem, std::span<const double> times, const std::function<bool()>& stop_requested) {
+  return solve(prepare_to_solve(problem, times), times, stop_requested);
+}
+
+Solution solve(const Prepared& prepared, std::span<const double> times, const std::function<bool()>& stop_requested) {
+  const Problem& problem = prepared.problem;
+  omp_set_num_threads(prepared.threads);  // Each thread of the program has a number of its own.
   const auto start = std::chrono::steady_clock::now();
   Assembly assembly = assemble(problem);
   Solution solution;
