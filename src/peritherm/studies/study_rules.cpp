@@ -321,4 +321,20 @@ void make_study_runs(StudyChecker& checker) {
   }
 }
 
+void check_where_of_runs(StudyChecker& checker) {
+  const ReadStudy& read = checker.read;
+  // Other faults keep runs and tables from being there.
+  if (!read.study.where || !checker.issues.empty()) return;
+  const auto compares = [&read](const Problem& problem) { return has_places(read, make_grid(problem)); };
+  for (const StudyRun& run : read.runs) {
+    if (compares(run.problem)) return;
+  }
+  for (std::size_t v = 0; read.study.intersection && v < read.cases.size(); ++v) {
+    const std::vector<Problem> problems = intersection_problems(read, v);
+    if (std::any_of(problems.begin(), problems.end(), compares)) return;
+  }
+  checker.add("where", "holds no place at which any run is compared",
+              "Move the shape into the body, or make it larger");
+}
+
 }  // namespace peritherm

@@ -301,6 +301,29 @@ TEST(StudyFaults, a_table_must_hold_the_times_and_lie_in_the_body) {
   EXPECT_NE(study_faults(folder, start + reference).find("cannot read"), std::string::npos);
 }
 
+TEST(StudyFaults, what_would_be_passed_over_is_refused) {
+  const StudyFolder folder("passed_over");
+  folder.write("known.csv", "x,t,T\n0.25,0.1,0.4\n0.75,0.1,nan\n");
+  const auto faults = [&folder](const std::string& keys, const std::string& reference = exact_reference) {
+    return study_faults(folder, study_head + keys + "[vary]\nhorizon = [0.2, 0.1]\n" + reference);
+  };
+  std::string text = faults("norms = [\"rms\", \"maximum\", \"rms\"]\n");
+  EXPECT_NE(text.find("norms.2: stands in the list twice"), std::string::npos) << text;
+  text = faults("times = [0.05, 0.1]\nset = [\"time.integrator=steady\"]\n");
+  EXPECT_NE(text.find("times: has several, but the case's integrator 'steady'"), std::string::npos) << text;
+  EXPECT_EQ(faults("times = [0.1]\nset = [\"time.integrator=steady\"]\n"), "");
+  text = faults("set = [\"material.unit.density=1\"]\n");
+  EXPECT_NE(text.find("study.toml:3:8: set.0: material: unknown option"), std::string::npos) << text;
+  const std::string table = "[reference]\ntype = \"results\"\nfile = \"known.csv\"\n";
+  const std::string nowhere = "where = { type = \"box\", from = [0.701], to = [0.702] }\n";
+  for (const std::string& reference : {std::string(exact_reference), table}) {
+    text = faults(nowhere, reference);
+    EXPECT_NE(text.find("study.toml:3:9: where: holds no place at which any run is compared"), std::string::npos)
+        << text;
+    EXPECT_EQ(faults("where = { type = \"box\", from = [0.2], to = [0.3] }\n", reference), "");
+  }
+}
+
 TEST(StudySchema, names_every_key) {
   for (const std::string& text : {describe_study_file(), describe_study_file_in_markdown()}) {
     for (const char* word :
