@@ -106,19 +106,21 @@ std::vector<RunChoice> intersection_choices(const IntersectionOptions& options) 
   return choices;
 }
 
-std::vector<Problem> intersection_problems(const ReadStudy& read, std::size_t variant) {
-  std::vector<Problem> problems;
+std::vector<StudyRun> intersection_runs(const ReadStudy& read, std::size_t variant) {
+  std::vector<StudyRun> runs;
   for (const RunChoice& choice : intersection_choices(*read.study.intersection)) {
-    problems.push_back(apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back()));
+    runs.push_back(describe_run(
+        apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back()), variant));
   }
-  return problems;
+  return runs;
 }
 
-Problem rerun_problem(const ReadStudy& read, std::size_t variant, double ratio) {
+StudyRun rerun_at(const ReadStudy& read, std::size_t variant, double ratio) {
   RunChoice choice;
-  choice.cells = read.study.intersection->cells.value_or(default_places);
+  choice.cells = read.study.intersection->cells;
   choice.horizon_ratio = ratio;
-  return apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back());
+  return describe_run(apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back()),
+                      variant);
 }
 
 IntersectionResult find_crossings(const ReadStudy& read, std::size_t variant, const std::vector<Solution>& coarse) {

@@ -117,8 +117,20 @@ TEST(Study, a_run_that_fails_leaves_the_others_alone) {
   const ReadStudy read = bar_study(folder, "set = [\"time.integrator=rk4\"]\n[vary]\ntime_step = [10, 1e-5, 2e-5]\n");
   const StudySummary summary = run_study(read, folder.settings());
   EXPECT_EQ(summary.status, "failed");
-  EXPECT_EQ(summary.failures.size(), 1U);
+  ASSERT_EQ(summary.failures.size(), 1U);
+  EXPECT_NE(summary.failures[0].find("time step 10 s failed"), std::string::npos) << summary.failures[0];
   EXPECT_EQ(summary.rows.size(), 2U);
+}
+
+TEST(Study, a_run_that_fails_is_named_with_its_variant) {
+  const StudyFolder folder("failing_variant");
+  const ReadStudy read = bar_study(folder,
+                                   "[[variant]]\nname = \"near\"\n[[variant]]\nname = \"far\"\n"
+                                   "set = [\"time.integrator={ type = 'rk4', step = 10 }\"]\n"
+                                   "[vary]\nhorizon = [0.2, 0.4]\n");
+  const StudySummary summary = run_study(read, folder.settings());
+  ASSERT_EQ(summary.failures.size(), 3U);  // Two runs, and one of them with half the step.
+  for (const std::string& text : summary.failures) EXPECT_EQ(text.find("the run with far, horizon"), 0U) << text;
 }
 
 TEST(Study, a_table_of_results_is_compared_at_its_own_places) {
