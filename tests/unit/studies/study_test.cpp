@@ -309,6 +309,9 @@ TEST(StudyFaults, a_table_must_hold_the_times_and_lie_in_the_body) {
   EXPECT_NE(study_faults(folder, start + reference).find("has nothing for t = 0.1 s"), std::string::npos);
   folder.write("known.csv", "x,t,heat\n0.25,0.2,0.4\n");
   EXPECT_NE(study_faults(folder, start + reference).find("has no column 'T'"), std::string::npos);
+  folder.write("known.csv", "x,t,T,note\n0.25,0.1,0.4,\n0.75,0.1,0.4\n");
+  EXPECT_NE(study_faults(folder, start + reference).find("line 3: has 3 entries, the first line has 4"),
+            std::string::npos);
   std::filesystem::remove(folder.file("known.csv"));
   EXPECT_NE(study_faults(folder, start + reference).find("cannot read"), std::string::npos);
 }
