@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "peritherm/base/text.hpp"
 #include "peritherm/simulation/checker.hpp"
@@ -40,12 +41,12 @@ void check_component(Checker& checker, const std::string& key, const Profile& pr
   }
 }
 
-/// Does any component depend on t? Those that do not parse have been reported.
-bool any_depends_on_time(const std::vector<Profile>& displacement) {
+/// Does any component depend on t? Unknown if one does not parse, which has been reported.
+std::optional<bool> any_depends_on_time(const std::vector<Profile>& displacement) {
   try {
     return depends_on_time(displacement);
   } catch (const Error&) {
-    return false;
+    return std::nullopt;
   }
 }
 
@@ -59,7 +60,12 @@ void check_displacement(Checker& checker, const DamageOptions& damage) {
         "Give one number or expression per dimension");
   }
   for (std::size_t i = 0; i < displacement.size(); ++i) check_component(checker, entry(key, i), displacement[i]);
-  if (!checker.sound(key) || !checker.sound("damage.every") || !any_depends_on_time(displacement)) return;
+  const std::optional<bool> changes = any_depends_on_time(displacement);
+  if (!checker.sound(key) || !checker.sound("damage.every") || !changes) return;
+  if (!*changes) {
+    if (damage.every) checker.add("damage.every", "displacement does not depend on t, one look is all", "Leave it out");
+    return;
+  }
   if (!damage.every) {
     return checker.add("damage", "displacement depends on t, and every is missing",
                        "Say how often to look at it, e.g. every = \"0.1 s\"");
