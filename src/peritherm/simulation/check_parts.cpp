@@ -81,10 +81,7 @@ void check_kind(Checker& checker, const std::string& key, const ProbeOutput& pro
   }
   const Point place = to_point(probe.at);
   if (!in_box(grid, place)) return checker.add(key + ".at", "the probe is outside the body", box_text(grid));
-  for (const BodyRegion& region : checker.problem.body.regions) {
-    if (!find_fault(region.shape, grid.dimension).empty()) return;
-  }
-  if (checker.sound("body.region") && is_void(checker.problem, place, slack_of(grid))) {
+  if (regions_are_sound(checker) && is_void(checker.problem, place, slack_of(grid))) {
     checker.add(key + ".at", "the probe is in a part that is cut away", "Move it into the body");
   }
 }
@@ -182,6 +179,37 @@ void check_probe_names(Checker& checker) {
   }
 }
 
+/// Multistep and implicit Runge-Kutta methods take the conductances to be the same at all times.
+void check_crack_growth(Checker& checker, std::string_view integrator) {
+  const auto& cracks = checker.problem.cracks;
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    const bool late = cracks[i].start_time > 0.0 && cracks[i].start_time < checker.problem.time.end;
+    if (!cracks[i].tip_speed && !late) continue;
+    checker.add(entry("crack", i) + (cracks[i].tip_speed ? ".tip_speed" : ".start_time"),
+                "the integrator '" + std::string(integrator) + "' cannot follow cracks that grow or appear",
+                "Choose the integrator \"rkl2\", which can");
+  }
+}
+
+/// The first boundary that makes conduction one-sided, and those that only the bond backend evaluates.
+void check_one_sided(Checker& checker) {
+  if (!checker.sound("boundary") || !checker.sound("nonlocality") || !checker.grid || checker.grid_stands_in) return;
+  const Problem& problem = checker.problem;
+  const BackendName backend = problem.numerics.backend;
+  if (backend != BackendName::automatic && backend != BackendName::bond && needs_bond_backend(problem)) {
+    checker.add("numerics.backend",
+                "'" + std::string(name_of(backend)) +
+                    "' gives all points the bonds of one stencil, which this case's " + "points on faces have not",
+                "Choose \"auto\" or \"bond\", or points = \"centres\"");
+  }
+  if (is_symmetric(problem) || !needs_symmetry(problem.time.integrator)) return;
+  const std::string name =
+      std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
+  checker.add("time.integrator",
+              "'" + name + "' needs bonds that conduct the same both ways, and " + std::string(one_sided_reason),
+              "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
+}
+
 }  // namespace
 
 void check_cracks(Checker& checker) {
@@ -208,45 +236,6 @@ void check_outputs(Checker& checker) {
   check_probe_names(checker);
   check_file_names(checker);
 }
-
-namespace {
-
-/// Multistep and implicit Runge-Kutta methods take the conductances to be the same at all times.
-void check_crack_growth(Checker& checker, std::string_view integrator) {
-  const auto& cracks = checker.problem.cracks;
-  for (std::size_t i = 0; i < cracks.size(); ++i) {
-    const bool late = cracks[i].start_time > 0.0 && cracks[i].start_time < checker.problem.time.end;
-    if (!cracks[i].tip_speed && !late) continue;
-    checker.add(entry("crack", i) + (cracks[i].tip_speed ? ".tip_speed" : ".start_time"),
-                "the integrator '" + std::string(integrator) + "' cannot follow cracks that grow or appear",
-                "Choose the integrator \"rkl2\", which can");
-  }
-}
-
-}  // namespace
-
-namespace {
-
-/// The first boundary that makes conduction one-sided, and those that only the bond backend evaluates.
-void check_one_sided(Checker& checker) {
-  if (!checker.sound("boundary") || !checker.sound("nonlocality") || !checker.grid || checker.grid_stands_in) return;
-  const Problem& problem = checker.problem;
-  const BackendName backend = problem.numerics.backend;
-  if (backend != BackendName::automatic && backend != BackendName::bond && needs_bond_backend(problem)) {
-    checker.add("numerics.backend",
-                "'" + std::string(name_of(backend)) +
-                    "' gives all points the bonds of one stencil, which this case's " + "points on faces have not",
-                "Choose \"auto\" or \"bond\", or points = \"centres\"");
-  }
-  if (is_symmetric(problem) || !needs_symmetry(problem.time.integrator)) return;
-  const std::string name =
-      std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
-  checker.add("time.integrator",
-              "'" + name + "' needs bonds that conduct the same both ways, and " + std::string(one_sided_reason),
-              "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
-}
-
-}  // namespace
 
 void check_numerics(Checker& checker) {
   check_one_sided(checker);
