@@ -83,6 +83,20 @@ TEST_F(ChartTest, missing_values_and_what_a_logarithm_cannot_show_interrupt_a_cu
   EXPECT_EQ(without_zero, without_number);
 }
 
+TEST_F(ChartTest, triangles_of_a_slope_stand_within_the_axes) {
+  Chart chart;
+  chart.x.scale = chart.y.scale = AxisScale::logarithmic;
+  chart.curves = {{"", {1.0, 100.0}, {1.0, 1.0}}};
+  chart.slopes = {{1.0, 10.0, 1e-4, 2.0, {}}};
+  Chart axes = chart;
+  axes.y.low = 1e-4 * std::pow(1e4, -0.06);
+  axes.y.high = std::pow(1e4, 0.06);
+  EXPECT_EQ(draw(chart).pixels, draw(axes).pixels);
+  chart.slopes[0].slope = 6.0;
+  axes.slopes[0].slope = 6.0;
+  EXPECT_NE(draw(chart).pixels, draw(axes).pixels) << "the end of the long side counts as well";
+}
+
 TEST_F(ChartTest, charts_without_values_or_with_equal_ones_are_drawn) {
   Chart chart;
   EXPECT_EQ(draw(chart).width, 600);
