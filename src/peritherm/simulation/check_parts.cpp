@@ -135,12 +135,20 @@ void check_kind(Checker& checker, const std::string& key, const PictureOutput& p
   }
   if (picture.range && (picture.range->size() != 2 || !((*picture.range)[0] < (*picture.range)[1]))) {
     checker.add(key + ".range", "must be the lowest and the highest value", "Write range = [0, 100]");
+  } else if (picture.range && picture.field == FieldName::material) {
+    checker.add(key + ".range", "is for fields of values, not for \"material\"", "Leave it out");
   }
-  if (!picture.at || !checker.grid) return;
+  if (!checker.grid) return;
   const Grid& grid = *checker.grid;
   if (grid.dimension != 3) {
-    return checker.add(key + ".at", "is for slices of 3-D bodies only", "Leave it out");
+    const auto refuse = [&](const char* name) {
+      checker.add(key + name, "is for slices of 3-D bodies only", "Leave it out");
+    };
+    if (picture.at) refuse(".at");
+    if (picture.normal != AxisName::z) refuse(".normal");
+    return;
   }
+  if (!picture.at) return;
   const auto axis = static_cast<std::size_t>(picture.normal);
   Point place = grid.origin;
   place[axis] = *picture.at;
