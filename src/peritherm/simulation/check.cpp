@@ -29,6 +29,13 @@ bool Checker::accept(const std::string& key, const std::string& fault) {
 
 std::string entry(const std::string& list, std::size_t index) { return list + '.' + std::to_string(index); }
 
+bool regions_are_sound(const Checker& checker) {
+  const auto& regions = checker.problem.body.regions;
+  return checker.sound("body.region") && std::all_of(regions.begin(), regions.end(), [&](const BodyRegion& region) {
+           return find_fault(region.shape, checker.grid->dimension).empty();
+         });
+}
+
 bool is_void(const Problem& problem, const Point& place, double slack) {
   const auto& regions = problem.body.regions;
   const auto last = std::find_if(regions.rbegin(), regions.rend(), [&place, slack](const BodyRegion& region) {
@@ -39,6 +46,19 @@ bool is_void(const Problem& problem, const Point& place, double slack) {
 
 bool shape_is_sound(const Checker& checker, const std::string& key, const std::optional<Shape>& shape) {
   return checker.grid && checker.sound(key) && (!shape || find_fault(*shape, checker.grid->dimension).empty());
+}
+
+std::vector<Point> sample_places(const Grid& grid) {
+  std::vector<Point> places;
+  const int combinations = grid.dimension == 1 ? 3 : grid.dimension == 2 ? 9 : 27;
+  for (int number = 0; number < combinations; ++number) {
+    GridIndex index{};
+    for (int axis = 0, rest = number; axis < grid.dimension; ++axis, rest /= 3) {
+      index[static_cast<std::size_t>(axis)] = rest % 3 * (grid.count(axis) - 1) / 2;
+    }
+    places.push_back(grid.position(index));
+  }
+  return places;
 }
 
 Grid make_grid(const Problem& problem) {

@@ -60,11 +60,17 @@ inline std::string count_of(std::size_t entries) {
 /// "body.region" + 2 → "body.region.2".
 std::string entry(const std::string& list, std::size_t index);
 
+/// Could all regions be read, and do they suit the grid, which must be known?
+bool regions_are_sound(const Checker& checker);
+
 /// Material at a place is cut away. The shapes of all regions must be without fault.
 bool is_void(const Problem& problem, const Point& place, double slack);
 
 /// Points on the surface of a shape may be off by rounding.
 inline double slack_of(const Grid& grid) { return 1e-9 * grid.spacing; }
+
+/// First, middle and last point along each axis.
+std::vector<Point> sample_places(const Grid& grid);
 
 /// Grids beyond this are not searched point by point [points]; a search of this many takes about a second.
 inline constexpr std::size_t largest_search = 100'000'000;

@@ -8,15 +8,6 @@
 #include "peritherm/base/file.hpp"
 
 namespace peritherm {
-namespace {
-
-void remove_file(const std::filesystem::path& path) {
-  std::error_code failure;
-  std::filesystem::remove(path, failure);
-  if (failure) throw Error("cannot remove the older '" + path.string() + "'", failure.message(), Fault::machine);
-}
-
-}  // namespace
 
 void remove_old_results(const std::filesystem::path& folder) {
   for (const char* name : {"resolved.toml", "summary.json", "probes.csv", "energy.csv", "fields.pvd", "loads.csv",
@@ -25,12 +16,7 @@ void remove_old_results(const std::filesystem::path& folder) {
   }
   const std::regex field("[0-9]{4,}\\.vti"), picture(".*_[0-9]{4,}\\.png");
   for (const auto& [part, pattern] : {std::pair{"fields", &field}, std::pair{"pictures", &picture}}) {
-    if (!std::filesystem::is_directory(folder / part)) continue;
-    std::vector<std::filesystem::path> old;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / part)) {
-      if (std::regex_match(entry.path().filename().string(), *pattern)) old.push_back(entry.path());
-    }
-    for (const std::filesystem::path& path : old) remove_file(path);
+    remove_files(folder / part, [names = pattern](const std::string& name) { return std::regex_match(name, *names); });
   }
 }
 

@@ -4,13 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "peritherm/base/file.hpp"
 #include "peritherm/base/version.hpp"
 #include "peritherm/discretisation/damage.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/memory.hpp"
+#include "peritherm/simulation/not_finite.hpp"
 #include "peritherm/simulation/plan.hpp"
 #include "peritherm/simulation/result_folder.hpp"
 #include "peritherm/simulation/schedule.hpp"
@@ -142,23 +142,6 @@ class Gallery {
   std::vector<Watch> watches_;
   std::optional<CutBonds> cuts_;
 };
-
-[[noreturn]] void report_not_finite(const Assembly& assembly, ConstField state, double time) {
-  const Grid& grid = assembly.geometry.body.grid;
-  std::ostringstream text;
-  text << "the temperature is not finite at t = " << time << " s";
-  for (std::size_t n = 0; n < grid.size(); ++n) {
-    const GridIndex p = grid.index(n);
-    if (std::isfinite(state[assembly.layout.entry(p)])) continue;
-    const Point x = grid.position(p);
-    text << ", first at (" << x[0];
-    for (int axis = 1; axis < grid.dimension; ++axis) text << ", " << x[axis];
-    text << ") m";
-    break;
-  }
-  throw Error(text.str(), "Look at sources, boundary values and initial temperatures near that place and time",
-              Fault::numerics);
-}
 
 /// The march from output time to output time.
 class March {
