@@ -125,7 +125,14 @@ TEST_F(ModelFile, refuses_models_that_contradict_themselves) {
   refused([](ReducedModel& m) { m.heat.names.pop_back(); }, "the heats of the modes has 2 x 4");
   refused(
       [](ReducedModel& m) {
-        m.basis = {{}, {2, {0, 1, 2, 99, 2}, {0, 7}, {1.0, 1.0}}, Matrix(2, 4)};
+        SparseMatrix shapes;
+        shapes.columns = 2;
+        shapes.begin = {0, 1, 2, 99, 2};
+        shapes.column_of = {0, 7};
+        shapes.values = {1.0, 1.0};
+        m.basis.dense = {};
+        m.basis.shapes = shapes;
+        m.basis.modes = Matrix(2, 4);
       },
       "the rows of the shapes do not follow one another; the columns of the shapes lie outside");
 }
