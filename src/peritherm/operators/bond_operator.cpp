@@ -98,6 +98,15 @@ class BondOperator final : public ConductionOperator {
     return sum;
   }
 
+  void heat_capacities(Field capacities) const override {
+    std::fill(capacities.begin(), capacities.end(), 0.0);
+    for (std::size_t row = 0; row < rows(); ++row) {
+      if (inverse_capacities_[row] > 0.0) {
+        capacities[static_cast<std::size_t>(entries_[row])] = 1.0 / inverse_capacities_[row];
+      }
+    }
+  }
+
   Extremes extremes(ConstField temperature) const override {
     Extremes found{temperature[static_cast<std::size_t>(entries_[0])],
                    temperature[static_cast<std::size_t>(entries_[0])]};

@@ -44,6 +44,9 @@ class ConductionOperator {
   /// Σ C over the free points [J/K].
   virtual double heat_capacity() const = 0;
 
+  /// C of each entry [J/K]; 0 where it is held, fictitious or cut away.
+  virtual void heat_capacities(Field capacities) const = 0;
+
   /// Lowest and highest temperature of the body's points.
   struct Extremes {
     double lowest, highest;

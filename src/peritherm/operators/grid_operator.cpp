@@ -87,6 +87,20 @@ class GridOperator final : public ConductionOperator {
     });
   }
 
+  void heat_capacities(Field capacities) const override {
+    std::fill(capacities.begin(), capacities.end(), 0.0);
+    for (std::int64_t row = 0; row < row_count(); ++row) {
+      const GridIndex first = row_index(row);
+      for (std::int64_t k = runs_.row_begin[row]; k < runs_.row_begin[row + 1]; ++k) {
+        const RowRun& run = runs_.runs[k];
+        for (std::int32_t x = run.begin; x < run.end && run.rate_scale != 0.0; ++x) {
+          capacities[layout_.entry({x, first[1], first[2]})] =
+              run.capacity * layout_.grid().volume_share({x, first[1], first[2]});
+        }
+      }
+    }
+  }
+
   Extremes extremes(ConstField temperature) const override {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double lowest = infinity, highest = -infinity;

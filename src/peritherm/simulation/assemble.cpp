@@ -339,7 +339,8 @@ Assembly assemble(const Problem& given) {
   for (const WallSlots& slots : parts.ghosts->slots()) {
     const auto* held =
         std::get_if<HeldTemperature>(&problem.boundaries[static_cast<std::size_t>(slots.boundary)].condition);
-    if (held != nullptr && slots.begin.size() > 1) parts.wall_temperatures.add(held->value, slots.places, slots.begin);
+    if (held != nullptr && slots.begin.size() > 1)
+      parts.wall_temperatures.add(slots.boundary, held->value, slots.places, slots.begin);
   }
   parts.grid = geometry.body.grid;
   parts.ghosts->add_followers(make_followers(problem, geometry, layout, parts.exchange_values));

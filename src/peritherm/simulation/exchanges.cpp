@@ -195,7 +195,7 @@ std::vector<SurfaceExchange> make_exchanges(const Problem& problem, const Geomet
       point.value += static_cast<std::int64_t>(values.size());
       all.push_back(point);
     }
-    values.add(*exchange->value, builder.places, builder.begin);
+    values.add(static_cast<int>(b), *exchange->value, builder.places, builder.begin);
   }
   return all;
 }

@@ -90,8 +90,8 @@ class FluxSlots {
     return static_cast<std::int64_t>(first_ + places_.size()) - 1;
   }
 
-  void hand_over(PrescribedValues& values) const {
-    if (value_ != nullptr) values.add(*value_, places_, begin_);
+  void hand_over(std::size_t boundary, PrescribedValues& values) const {
+    if (value_ != nullptr) values.add(static_cast<int>(boundary), *value_, places_, begin_);
   }
 
  private:
@@ -147,7 +147,7 @@ Followers make_followers(const Problem& problem, const Geometry& geometry, const
       }
       followers.row_begin.push_back(static_cast<BondIndex>(followers.gains.size()));
     }
-    slots.hand_over(fluxes);
+    slots.hand_over(b, fluxes);
   }
   followers.cuts.sort();
   refuse_rows_that_end(followers, geometry, problem.time.end);

@@ -8,6 +8,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "peritherm/base/error.hpp"
 #include "peritherm/system/spectral_estimate.hpp"
 
 namespace peritherm {
@@ -119,8 +120,8 @@ void HeatSystem::fill(double time, Field temperature) {
 }
 
 /// Adds a row's rates to the load; returns its heat rate [W].
-double HeatSystem::heat_row(const HeatedRow& row, CompiledProfile& profile, double time) {
-  double* const load = load_.data() + row.entry;
+double HeatSystem::heat_row(const HeatedRow& row, CompiledProfile& profile, double time, Field rates) const {
+  double* const load = rates.data() + row.entry;
   if (!profile.depends_on_place()) {
     const double heat_rate = row.volume * profile(Point{}, time);
     for (std::int32_t k = 0; k < row.length; ++k) load[k] += heat_rate * row.inverse_capacity;
@@ -136,32 +137,37 @@ double HeatSystem::heat_row(const HeatedRow& row, CompiledProfile& profile, doub
   return sum;
 }
 
+/// The same for all rows of a part.
+double HeatSystem::heat_part(const HeatedPart& part, const Profile& value, double time, Field load) const {
+  constexpr std::size_t chunk = 8;
+  std::vector<double> sums((part.rows.size() + chunk - 1) / chunk, 0.0);
+  std::exception_ptr failure;
+#pragma omp parallel
+  {
+    CompiledProfile profile(value);
+#pragma omp for schedule(static)
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+      try {
+        for (std::size_t n = c * chunk; n < std::min(part.rows.size(), (c + 1) * chunk); ++n) {
+          sums[c] += heat_row(part.rows[n], profile, time, load);
+        }
+      } catch (...) {
+#pragma omp critical
+        failure = std::current_exception();
+      }
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+  double heat_rate = 0.0;
+  for (const double sum : sums) heat_rate += sum;
+  return heat_rate;
+}
+
 void HeatSystem::update_sources(double time) {
   if (load_.empty() || (load_fresh_ && (!sources_change_ || time == load_time_))) return;
   std::fill(load_.begin(), load_.end(), 0.0);
   source_heat_rate_ = 0.0;
-  for (const HeatedPart& part : parts_.sources) {
-    constexpr std::size_t chunk = 8;
-    std::vector<double> sums((part.rows.size() + chunk - 1) / chunk, 0.0);
-    std::exception_ptr failure;
-#pragma omp parallel
-    {
-      CompiledProfile profile(part.value);
-#pragma omp for schedule(static)
-      for (std::size_t c = 0; c < sums.size(); ++c) {
-        try {
-          for (std::size_t n = c * chunk; n < std::min(part.rows.size(), (c + 1) * chunk); ++n) {
-            sums[c] += heat_row(part.rows[n], profile, time);
-          }
-        } catch (...) {
-#pragma omp critical
-          failure = std::current_exception();
-        }
-      }
-    }
-    if (failure) std::rethrow_exception(failure);
-    for (const double sum : sums) source_heat_rate_ += sum;
-  }
+  for (const HeatedPart& part : parts_.sources) source_heat_rate_ += heat_part(part, part.value, time, load_);
   load_time_ = time;
   load_fresh_ = true;
 }
@@ -219,6 +225,25 @@ void HeatSystem::combine(const Load& load, Field temperature, double rate_weight
     for (const Term& term : terms) value += term.weight * term.values[field_size_ + a];
     result[field_size_ + a] = value;
   }
+}
+
+void HeatSystem::load_rate(const LoadName& load, const Profile& profile, double time, Field held, Field rate) {
+  const bool is_source = load.source >= 0 && static_cast<std::size_t>(load.source) < parts_.sources.size();
+  const bool is_boundary = load.boundary >= 0 && static_cast<std::size_t>(load.boundary) < parts_.boundary_names.size();
+  if (is_source == is_boundary) throw Error("there is no such load", "Name either a boundary or a source");
+  const std::vector<double> walls = parts_.wall_temperatures.values_of(load.boundary, profile, time);
+  const std::vector<double> exchanges = parts_.exchange_values.values_of(load.boundary, profile, time);
+  std::fill(held.begin(), held.end(), 0.0);
+  std::fill(rate.begin(), rate.end(), 0.0);
+  if (!is_source) return combine({walls, exchanges, {}, 0.0}, held, 1.0, {}, rate, {});
+  std::vector<double> rates(size(), 0.0);
+  const HeatedPart& part = parts_.sources[static_cast<std::size_t>(load.source)];
+  const double heat_rate = heat_part(part, profile, time, rates);
+  combine({walls, exchanges, rates, heat_rate}, held, 1.0, {}, rate, {});
+}
+
+bool HeatSystem::body_changes_within(double from, double to) const {
+  return parts_.conduction->changes_within(from, to) || parts_.ghosts->changes_within(from, to);
 }
 
 bool HeatSystem::loads_change() const {

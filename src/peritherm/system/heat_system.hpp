@@ -36,6 +36,12 @@ struct HeatedPart {
   std::vector<HeatedRow> rows;
 };
 
+/// What one boundary or one source prescribes; the other is −1.
+struct LoadName {
+  int boundary = -1;
+  int source = -1;
+};
+
 /// What a heat system is made of.
 struct HeatSystemParts {
   std::unique_ptr<ConductionOperator> conduction;
@@ -73,6 +79,15 @@ class HeatSystem final : public ThermalSystem {
   Extremes extremes(ConstField temperature) const override;
   double rate_rounding() const override { return parts_.rate_rounding; }
   double fastest_rate() override;
+
+  /// What one load alone does to a body at temperature 0, with a profile that is frozen at a time in the place of its
+  /// own: `held` gets the held and fictitious entries, 0 elsewhere; `rate` the rates [K/s] and behind them heat rates
+  /// [W]. Both are as long as a state; no rates where the boundary prescribes nothing. Throws Error if there is no such
+  /// load, or if the profile depends on the place and the load's own does not.
+  void load_rate(const LoadName& load, const Profile& profile, double time, Field held, Field rate);
+
+  /// Whether anything but the loads changes at a time within (from, to).
+  bool body_changes_within(double from, double to) const;
 
   /// Sets held and fictitious entries to their values at a time.
   void fill(double time, Field temperature);
@@ -125,7 +140,8 @@ class HeatSystem final : public ThermalSystem {
   void measure_changing(Account& account);
   double heat_rate(const Account& account, const Load& load, ConstField temperature) const;
   void update_sources(double time);
-  double heat_row(const HeatedRow& row, CompiledProfile& profile, double time);
+  double heat_part(const HeatedPart& part, const Profile& value, double time, Field load) const;
+  double heat_row(const HeatedRow& row, CompiledProfile& profile, double time, Field load) const;
   void add_exchanges(const Load& load, double rate_weight, ConstField temperature, Field result) const;
 
   HeatSystemParts parts_;

@@ -115,7 +115,7 @@ std::vector<double> HeatSystem::allowed_misfit(double from, double to, double to
 }
 
 std::optional<ThermalSystem::LoadPiece> HeatSystem::fit_loads(double from, double to, int degree, double tolerance) {
-  if (parts_.conduction->changes_within(from, to) || parts_.ghosts->changes_within(from, to)) return std::nullopt;
+  if (body_changes_within(from, to)) return std::nullopt;
   LoadPiece piece{from, to, 0};
   if (loads_change()) piece = find_piece(from, to, std::min(degree, most_degree), tolerance);
   fit_piece(piece);
