@@ -23,6 +23,10 @@ struct ModelCase {
 /// start, the end, outputs. Throws Error with all that is wrong, among it every key that the model was built with.
 ModelCase read_model_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// The same with a model that has been read or made; `file` is what messages call it.
+ModelCase make_model_case(ReducedModel model, const std::filesystem::path& file,
+                          const std::vector<std::string>& overrides = {});
+
 /// One of many questions to a model: what differs from its case.
 struct LoadHistory {
   std::string name;

@@ -22,9 +22,9 @@ std::optional<NamedLoad> load_of(const BoundaryCondition& condition) {
   return std::nullopt;
 }
 
-std::vector<Profile> load_profiles(const Problem& problem, const ReducedModel& model) {
+std::vector<Profile> load_profiles(const Problem& problem, const std::vector<Load>& loads) {
   std::vector<Profile> profiles;
-  for (const Load& load : model.loads) {
+  for (const Load& load : loads) {
     const auto boundary = static_cast<std::size_t>(load.boundary), source = static_cast<std::size_t>(load.source);
     const Profile* profile = nullptr;
     if (load.source >= 0 && source < problem.sources.size()) profile = &problem.sources[source].value;
@@ -75,7 +75,7 @@ void set_start(const Problem& problem, const Profile& temperature, ModelQuestion
 
 ModelQuestion make_question(const Problem& problem, const ReducedModel& model, std::vector<double> times) {
   ModelQuestion question;
-  question.loads = load_profiles(problem, model);
+  question.loads = load_profiles(problem, model.loads);
   question.times = std::move(times);
   set_start(problem, problem.initial.temperature, question);
   return question;

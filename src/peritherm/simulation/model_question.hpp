@@ -21,8 +21,8 @@ struct NamedLoad {
 /// None if it prescribes nothing.
 std::optional<NamedLoad> load_of(const BoundaryCondition& condition);
 
-/// The profiles that a problem gives the loads of a model that was made of it.
-std::vector<Profile> load_profiles(const Problem& problem, const ReducedModel& model);
+/// The profiles that a problem gives the loads that were found in it.
+std::vector<Profile> load_profiles(const Problem& problem, const std::vector<Load>& loads);
 
 /// The question that a problem is to a model that was made of it, at the times.
 ModelQuestion make_question(const Problem& problem, const ReducedModel& model, std::vector<double> times);

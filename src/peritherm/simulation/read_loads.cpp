@@ -65,7 +65,7 @@ Profile read_profile_text(const toml::node& node, std::vector<Issue>& issues) {
 class LoadsReader {
  public:
   LoadsReader(const ModelCase& model_case, const Document& document)
-      : model_case_(model_case), document_(document), base_(load_profiles(model_case.problem, model_case.model)) {
+      : model_case_(model_case), document_(document), base_(load_profiles(model_case.problem, model_case.model.loads)) {
     Reader reader(document.locations);
     reader.read_table(document.root, "", written_);
     issues = document.issues;

@@ -48,16 +48,21 @@ std::vector<std::string> find_warnings(const ReducedModel& model, const Problem&
 
 }  // namespace
 
+ModelCase make_model_case(ReducedModel model, const std::filesystem::path& file,
+                          const std::vector<std::string>& overrides) {
+  ModelCase made;
+  made.file = file;
+  made.model = std::move(model);
+  refuse_what_is_built_in(made.model.case_text, overrides);
+  ReadCase inside = read_case(made.model.case_text, file.string() + ", its case", overrides, CaseUse::answer);
+  made.problem = std::move(inside.problem);
+  made.locations = std::move(inside.locations);
+  made.warnings = find_warnings(made.model, made.problem);
+  return made;
+}
+
 ModelCase read_model_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  ModelCase read;
-  read.file = file;
-  read.model = read_model(file);
-  refuse_what_is_built_in(read.model.case_text, overrides);
-  ReadCase inside = read_case(read.model.case_text, file.string() + ", its case", overrides, CaseUse::answer);
-  read.problem = std::move(inside.problem);
-  read.locations = std::move(inside.locations);
-  read.warnings = find_warnings(read.model, read.problem);
-  return read;
+  return make_model_case(read_model(file), file, overrides);
 }
 
 }  // namespace peritherm

@@ -7,6 +7,7 @@
 
 #include "peritherm/base/version.hpp"
 #include "peritherm/simulation/checker.hpp"
+#include "peritherm/simulation/memory.hpp"
 #include "peritherm/simulation/model_question.hpp"
 #include "peritherm/simulation/plan.hpp"
 #include "peritherm/simulation/reduction_memory.hpp"
@@ -217,6 +218,7 @@ ReducibleCase make_reducible(const Problem& given, const std::function<void(cons
                   shortest_time_of(problem, method, times),
                   problem.time.end,
                   times};
+  full.memory = available_memory();
   ReducibleCase reducible{prepared.problem, std::move(assembly), std::move(full), elapsed(start), std::move(notes)};
   tell_plan(reducible, static_cast<std::size_t>(prepared.bytes + bytes), on_plan);
   return reducible;
