@@ -219,6 +219,7 @@ ReducibleCase make_reducible(const Problem& given, const std::function<void(cons
                   problem.time.end,
                   times};
   full.memory = available_memory();
+  full.profiles = load_profiles(prepared.problem, full.loads);
   ReducibleCase reducible{prepared.problem, std::move(assembly), std::move(full), elapsed(start), std::move(notes)};
   tell_plan(reducible, static_cast<std::size_t>(prepared.bytes + bytes), on_plan);
   return reducible;
