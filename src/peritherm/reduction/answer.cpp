@@ -91,7 +91,10 @@ class ModalMarch {
 
   void advance(const InputPiece& piece) {
     const double length = piece.end - piece.begin, half = 0.5 * length;
-    const Matrix forcing = product(equations_->gains, piece.coefficients);
+    Matrix forcing(values_.size(), piece.coefficients.columns);
+    for (std::size_t k = 0; k < forcing.columns; ++k) {
+      add_product(1.0, equations_->gains, piece.coefficients.column(k), forcing.column(k));
+    }
     for (std::size_t n = 0; n < values_.size(); ++n) {
       const ExponentialMoments moments = exponential_moments(equations_->rates[n] * length, piece.degree());
       double end = 0.0, integral = 0.0;

@@ -73,8 +73,7 @@ class PatternSearch {
     if (load.shapes.size() >= most_shapes) {
       throw Error("its pattern in space changes so much in time that " + std::to_string(most_shapes) +
                       " inputs do not describe it",
-                  "Write it as a sum of few products of a function of place and one of time, or reduce with "
-                  "proper_orthogonal");
+                  "Write it as a sum of few products of a function of place and one of time");
     }
     load.shapes.push_back({profile_, times_[time]});
     load.places.push_back(places_[place]);

@@ -34,7 +34,7 @@ double dot(ConstField a, ConstField b) {
   return sum;
 }
 
-/// Σ C shape · values for each unknown of basis.shapes is what `weighted` holds after this: shapesᵀ · values.
+/// shapesᵀ · values.
 std::vector<double> shape_product(const SparseMatrix& shapes, ConstField values) {
   std::vector<double> result(shapes.columns, 0.0);
   for (std::size_t n = 0; n < shapes.rows(); ++n) {
@@ -78,12 +78,10 @@ std::vector<double> project_shapes(const ReducedModel& model, const std::vector<
 
 std::vector<double> project_unknowns(const ReducedModel& model, ConstField start) {
   if (model.start == ModelStart::sampled && !model.basis.is_dense() && !model.retained.empty()) {
-    // Retained points that are held have no unknown; the others come first, fixed modes start at rest.
+    // The unknowns of fixed modes stand behind those of the retained points and start at rest.
     std::vector<double> shape_start(model.basis.shapes.columns, 0.0);
-    std::size_t unknown = 0;
-    for (const std::int64_t point : model.retained) {
-      const auto n = static_cast<std::size_t>(point);
-      if (unknown < shape_start.size()) shape_start[unknown++] = start[n];
+    for (std::size_t k = 0; k < model.retained.size(); ++k) {
+      shape_start[k] = start[static_cast<std::size_t>(model.retained[k])];
     }
     return project_shapes(model, shape_start);
   }
@@ -91,12 +89,6 @@ std::vector<double> project_unknowns(const ReducedModel& model, ConstField start
 }
 
 }  // namespace
-
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix result(a.rows, b.columns);
-  for (std::size_t k = 0; k < b.columns; ++k) add_product(1.0, a, b.column(k), result.column(k));
-  return result;
-}
 
 void add_product(double weight, const Matrix& a, ConstField x, std::span<double> result) {
   for (std::size_t k = 0; k < a.columns; ++k) {

@@ -7,7 +7,6 @@
 
 namespace peritherm {
 
-Matrix product(const Matrix& a, const Matrix& b);
 /// result += weight · a · x.
 void add_product(double weight, const Matrix& a, ConstField x, std::span<double> result);
 std::vector<double> transposed_product(const Matrix& a, ConstField x);
