@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <regex>
 
 #include "peritherm/base/file.hpp"
 #include "peritherm/base/version.hpp"
@@ -13,6 +12,7 @@
 #include "peritherm/simulation/memory.hpp"
 #include "peritherm/simulation/not_finite.hpp"
 #include "peritherm/simulation/plan.hpp"
+#include "peritherm/simulation/result_folder.hpp"
 #include "peritherm/simulation/schedule.hpp"
 #include "peritherm/simulation/summary.hpp"
 #include "peritherm/simulation/write.hpp"
@@ -143,32 +143,6 @@ class Gallery {
   std::optional<CutBonds> cuts_;
 };
 
-/// What earlier runs wrote and this one may not; other files in the folder are left alone.
-void remove_old_results(const std::filesystem::path& folder) {
-  for (const char* name : {"resolved.toml", "summary.json", "probes.csv", "energy.csv", "fields.pvd"}) {
-    remove_file(folder / name);
-  }
-  const std::regex field("[0-9]{4,}\\.vti"), picture(".*_[0-9]{4,}\\.png");
-  for (const auto& [part, pattern] : {std::pair{"fields", &field}, std::pair{"pictures", &picture}}) {
-    remove_files(folder / part, [names = pattern](const std::string& name) { return std::regex_match(name, *names); });
-  }
-}
-
-void prepare_folder(const RunSettings& settings) {
-  std::error_code failure;
-  const bool exists = std::filesystem::exists(settings.folder, failure);
-  if (exists && !std::filesystem::is_directory(settings.folder, failure)) {
-    throw Error("'" + settings.folder.string() + "' is a file, not a folder for results",
-                "Choose another folder with --output", Fault::machine);
-  }
-  if (exists && !settings.overwrite && !std::filesystem::is_empty(settings.folder, failure)) {
-    throw Error("the folder '" + settings.folder.string() + "' already holds files",
-                "Choose another one with --output, or replace its results with --overwrite", Fault::machine);
-  }
-  make_folder(settings.folder);
-  remove_old_results(settings.folder);
-}
-
 /// The march from output time to output time.
 class March {
  public:
@@ -279,7 +253,8 @@ RunSummary run(const Problem& given, const RunSettings& settings) {
   summary.plan = make_plan(prepared, assembly, chosen);
   // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
   March march(problem, settings, chosen.stepping, assembly, summary);
-  prepare_folder(settings);
+  open_result_folder(settings.folder, settings.overwrite);
+  remove_old_results(settings.folder);
   if (settings.on_plan) settings.on_plan(summary.plan);
   write_file(settings.folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +
                                                     "; running it again reproduces the run.\n" +
