@@ -35,6 +35,9 @@ SplitHeat split_heat(FullSystem& full, const RetainedPoints& choice, std::vector
 /// Shares |R_ij| below `drop` are left out, the others of the row scaled so that constants stay what they are.
 SparseMatrix condensed_shapes(const SplitHeat& split, double drop, const Matrix& modes, std::size_t most_bytes);
 
+/// shapesᵀ K shapes, the lower half of it [galadima2023, eq. 65].
+Matrix condensed_conductances(const SplitHeat& split, const SparseMatrix& shapes);
+
 /// K_tt⁻¹ h_t of loads of some kinds, n × m: what truncated points take on at once. 0 for the others.
 Matrix static_responses(const SplitHeat& split, const UnitLoads& loads, bool of_heat_too);
 

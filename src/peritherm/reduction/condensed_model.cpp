@@ -108,7 +108,7 @@ class CondensedModelBuilder {
 
   ReducedModel operator()(ReductionCost& cost) {
     Lap lap;
-    const Matrix conductances = project(parts_.shapes, heat_.conductances);
+    const Matrix conductances = condensed_conductances(split_, parts_.shapes);
     Matrix capacities = project(parts_.shapes, diagonal_matrix(heat_.capacities));
     find_sums();
     const bool lumped = parts_.capacity == CondensedCapacity::lumped;
@@ -266,6 +266,10 @@ class CondensedModelBuilder {
 };
 
 }  // namespace
+
+Matrix condensed_conductances(const SplitHeat& split, const SparseMatrix& shapes) {
+  return project(shapes, split.heat.conductances);
+}
 
 ReducedModel make_condensed_model(FullSystem& full, const SplitHeat& split, const UnitLoads& loads,
                                   CondensedParts parts, ReductionCost& cost) {

@@ -12,16 +12,18 @@
 namespace peritherm {
 namespace {
 
-constexpr double candidates_per_decade = 3.0;
-constexpr double shifts_beyond = 2.0;  ///< the candidates reach so far beyond the inverse times
-/// What a correction leaves of the error at its shift. The next look sees it, so that less would gain little.
-constexpr double correction_reduction = 1e-2;
+constexpr double looks_per_decade = 4.0;
+/// Error (energy) of a solution over the tolerance. What a solution lacks, later ones must find; ten times as much
+/// costs one half more unknowns, and fewer digits gain little time.
+constexpr double solution_errors = 10.0;
+constexpr double least_solution_error = 1e-7, most_solution_error = 1e-3;
 constexpr long most_iterations = 200000;
-/// Drives and shifts whose error is at least this share of the largest are corrected before the next look.
-constexpr double share_of_worst = 0.2;
-constexpr double separate_shifts = 8.0;  ///< corrections closer to one another than this factor would overlap
+/// Drives and times whose error is at least this share of the largest are corrected before the next look.
+constexpr double share_of_worst = 0.5;
+constexpr double separate_times = 30.0;  ///< corrections closer to one another than this factor would overlap
 constexpr double least_remainder = 1e-9;
 constexpr std::size_t most_closed_parts = 16;
+constexpr auto never = std::numeric_limits<std::size_t>::max();
 
 using Clock = std::chrono::steady_clock;
 
@@ -63,14 +65,13 @@ KrylovSearch::KrylovSearch(FullSystem& full, const KrylovAim& aim, ReductionCost
       progress_(progress),
       basis_(full.system),
       inputs_(make_input_states(full)),
-      solver_(full.system, basis_.capacities()) {
+      solver_(full.system, basis_.capacities()),
+      times_(logarithmic(full.shortest_time, full.longest_time, looks_per_decade)) {
   basis_.add_conserved(
       find_closed_parts(full.system, full.layout, basis_.capacities(), most_closed_parts, cost.evaluations));
   add_drives();
   add_start();
-  candidates_ =
-      logarithmic(1.0 / (shifts_beyond * full.longest_time), shifts_beyond / full.shortest_time, candidates_per_decade);
-  exhausted_.assign(drives_.size(), std::vector<double>(candidates_.size(), -1.0));
+  exhausted_.assign(drives_.size(), std::vector<std::size_t>(times_.size(), never));
 }
 
 void KrylovSearch::add_drives() {
@@ -78,8 +79,7 @@ void KrylovSearch::add_drives() {
   for (const Load& load : full_.loads) {
     for (const LoadShape& shape : load.shapes) {
       const ConstField rate = inputs_.rates[input++];
-      if (solver_.product(rate, rate) == 0.0) continue;
-      drives_.push_back({rate, false, amplitude_of(load, shape), 0.0});
+      if (solver_.product(rate, rate) > 0.0) drives_.push_back({rate, false, amplitude_of(load, shape), 0.0});
     }
   }
 }
@@ -100,31 +100,37 @@ void KrylovSearch::add_start() {
   basis_.add(std::move(states));
 }
 
-double KrylovSearch::scale(std::size_t drive, std::size_t shift) const {
-  return std::max(drives_[drive].amplitude, drives_[drive].is_start ? 0.0 : looks_[drive][shift].largest);
+std::size_t KrylovSearch::judged() const {
+  const std::size_t fewest = basis_.conserved() + drives_.size();
+  return basis_.size() > fewest ? basis_.size() - drives_.size() : 0;
 }
 
-/// Error (rms) of the response at a shift, from the residual.
-double KrylovSearch::estimate(const Drive& drive, double shift, const Look& look) const {
-  const double size = look.residual / (shift + drive.damping) / std::sqrt(full_.system.heat_capacity());
-  return drive.is_start ? shift * size : size;
+double KrylovSearch::scale(std::size_t drive, std::size_t time) const {
+  return std::max(drives_[drive].amplitude, drives_[drive].is_start ? 0.0 : looks_[drive][time].largest);
+}
+
+/// Error (rms) of a response after a time, from what its residual leaves.
+double KrylovSearch::estimate(const Drive& drive, double time, const Look& look) const {
+  return look.residual / (1.0 / time + drive.damping) / std::sqrt(full_.system.heat_capacity());
 }
 
 void KrylovSearch::look() {
   const Stopwatch watch(cost_.projection);
   looks_.clear();
-  const ResponseSolver solver(basis_);
+  responses_.clear();
+  const ResponseSolver solver(basis_, basis_.size());
   for (const Drive& drive : drives_) {
-    looks_.push_back(look_at(basis_, drive.rate, candidates_, solver.coordinates(basis_, drive.rate, candidates_)));
+    responses_.push_back(solver.respond(drive, times_));
+    looks_.push_back(look_at(basis_, drive, responses_.back()));
   }
 }
 
-/// What to correct next, worst first.
-std::vector<KrylovSearch::Candidate> KrylovSearch::choose() const {
+/// Where most is missing, worst first; late times before early ones.
+std::vector<KrylovSearch::Candidate> KrylovSearch::rank() const {
   std::vector<Candidate> all;
   for (std::size_t d = 0; d < drives_.size(); ++d) {
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      const double size = estimate(drives_[d], candidates_[k], looks_[d][k]), own = scale(d, k);
+    for (std::size_t k = times_.size(); k-- > 0;) {
+      const double size = estimate(drives_[d], times_[k], looks_[d][k]), own = scale(d, k);
       if (size > 0.0) all.push_back({d, k, own > 0.0 ? size / own : std::numeric_limits<double>::infinity()});
     }
   }
@@ -132,72 +138,79 @@ std::vector<KrylovSearch::Candidate> KrylovSearch::choose() const {
   return all;
 }
 
-void KrylovSearch::correct(const Candidate& candidate) {
-  const double shift = candidates_[candidate.shift];
-  if (!add_correction(shift, drives_[candidate.drive].rate, candidate.drive)) {
-    exhausted_[candidate.drive][candidate.shift] = static_cast<double>(basis_.size());
+/// The worst, and what is about as bad elsewhere.
+std::vector<KrylovSearch::Candidate> KrylovSearch::choose(const std::vector<Candidate>& ranked) const {
+  std::vector<Candidate> chosen;
+  for (const Candidate& next : ranked) {
+    if (exhausted_[next.drive][next.time] == basis_.size()) continue;
+    if (!chosen.empty() && next.error < share_of_worst * chosen.front().error) break;
+    const bool overlaps = std::any_of(chosen.begin(), chosen.end(), [&](const Candidate& other) {
+      const double ratio = times_[next.time] / times_[other.time];
+      return next.drive == other.drive && std::max(ratio, 1.0 / ratio) < separate_times;
+    });
+    if (!overlaps && basis_.size() + chosen.size() < aim_.most_unknowns) chosen.push_back(next);
+  }
+  return chosen;
+}
+
+void KrylovSearch::correct(const std::vector<Candidate>& candidates) {
+  std::vector<FieldStorage> residuals;
+  for (const Candidate& next : candidates) {
+    residuals.emplace_back(full_.system.size());
+    residual_of(basis_, drives_[next.drive], responses_[next.drive], next.time, residuals.back());
+  }
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const auto [drive, time, error] = candidates[k];
+    if (!add_solution(1.0 / times_[time], std::move(residuals[k]), drive)) exhausted_[drive][time] = basis_.size();
   }
 }
 
-bool KrylovSearch::add_correction(double shift, ConstField rate, std::size_t drive) {
-  FieldStorage residual(full_.system.size()), correction(full_.system.size());
-  const double shifts[] = {shift};
-  const Matrix own = ResponseSolver(basis_).coordinates(basis_, rate, {shifts[0]});
-  residual_of(basis_, rate, shift, own.values, residual);
-  const double left = std::sqrt(solver_.product(residual, residual));
+/// Each given shift works on what the one before has added.
+void KrylovSearch::continue_chains(double shift) {
+  for (std::size_t d = 0; d < drives_.size(); ++d) {
+    if (chains_.size() <= d) {
+      chains_.emplace_back(full_.system.size());
+      std::copy(drives_[d].rate.begin(), drives_[d].rate.end(), chains_[d].begin());
+    }
+    if (!add_solution(shift, chains_[d], d)) give_up("rounding lets no further unknown improve it");
+    const ConstField newest = basis_.state(basis_.size() - 1);
+    std::copy(newest.begin(), newest.end(), chains_[d].begin());
+  }
+}
+
+bool KrylovSearch::add_solution(double shift, FieldStorage right_side, std::size_t drive) {
+  FieldStorage solution(full_.system.size());
+  const double size = std::sqrt(solver_.product(right_side, right_side));
   {
     const Stopwatch watch(cost_.solves);
-    solver_.solve(shift, correction_reduction, most_iterations, residual, correction);
+    const double solution_error =
+        std::clamp(solution_errors * aim_.tolerance, least_solution_error, most_solution_error);
+    solver_.solve(shift, solution_error, most_iterations, right_side, solution);
   }
-  const double found = std::sqrt(solver_.product(correction, correction));
-  if (found > 0.0) drives_[drive].damping = std::max(0.0, left / found - shift);
+  const double found = std::sqrt(solver_.product(solution, solution));
+  if (found > 0.0) drives_[drive].damping = std::max(0.0, size / found - shift);
   const Stopwatch watch(cost_.projection);
   std::vector<FieldStorage> states;
-  states.push_back(std::move(correction));
+  states.push_back(std::move(solution));
   const bool added = basis_.add(std::move(states), least_remainder) > 0;
   if (added) taken_.push_back(shift);
   return added;
 }
 
-/// Each given shift works on what the one before has added, so that none can be exhausted.
-void KrylovSearch::continue_chain(double shift) {
-  for (std::size_t d = 0; d < drives_.size(); ++d) {
-    const bool first = chain_.size() <= d;
-    if (first) chain_.emplace_back(full_.system.size());
-    if (first) std::copy(drives_[d].rate.begin(), drives_[d].rate.end(), chain_[d].begin());
-    if (!add_correction(shift, chain_[d], d)) continue;
-    const ConstField newest = basis_.state(basis_.size() - 1);
-    std::copy(newest.begin(), newest.end(), chain_[d].begin());
-  }
-}
-
-/// Largest difference (rms) between the basis and its first `judged` states after steps of each input and from the
-/// start, over the temperatures at that time.
-double KrylovSearch::step_error(std::size_t judged) const {
-  const Matrix none(basis_.size(), 0);
-  const ProjectedEquations fine = project_equations(basis_, basis_.size(), none);
-  const ProjectedEquations coarse = project_equations(basis_, judged, none);
+/// Largest difference (rms) between the basis and its judged states, over the temperatures at that time.
+double KrylovSearch::step_error() const {
+  if (judged() == 0) return std::numeric_limits<double>::infinity();
+  const ResponseSolver coarse(basis_, judged());
   double worst = 0.0;
   for (std::size_t d = 0; d < drives_.size(); ++d) {
-    const std::vector<double> gains = basis_.coordinates(drives_[d].rate);
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      const double time = 1.0 / candidates_[k];
-      const auto respond = [&](const ProjectedEquations& of, double sign, std::vector<double>& sum) {
-        for (std::size_t mode = 0; mode < of.equations.rates.size(); ++mode) {
-          double gain = 0.0;
-          for (std::size_t i = 0; i < of.modes.rows; ++i) gain += of.modes(i, mode) * gains[i];
-          const double rate = of.equations.rates[mode];
-          const double grown = rate * time > 1e-12 ? -std::expm1(-rate * time) / rate : time;
-          const double share = sign * gain * (drives_[d].is_start ? std::exp(-rate * time) : grown);
-          for (std::size_t i = 0; i < of.modes.rows; ++i) sum[i] += of.modes(i, mode) * share;
-        }
-      };
-      std::vector<double> difference(basis_.size(), 0.0);
-      respond(fine, 1.0, difference);
-      respond(coarse, -1.0, difference);
+    const Response judge = coarse.respond(drives_[d], times_);
+    for (std::size_t t = 0; t < times_.size(); ++t) {
       double square = 0.0;
-      for (const double value : difference) square += value * value;
-      const double own = scale(d, k);
+      for (std::size_t k = 0; k < basis_.size(); ++k) {
+        const double difference = responses_[d].coordinates(k, t) - judge.coordinates(k, t);
+        square += difference * difference;
+      }
+      const double own = scale(d, t);
       if (own > 0.0) worst = std::max(worst, std::sqrt(square / full_.system.heat_capacity()) / own);
     }
   }
@@ -206,10 +219,9 @@ double KrylovSearch::step_error(std::size_t judged) const {
 
 void KrylovSearch::report() const {
   if (!progress_) return;
-  const double share = std::isfinite(first_error_) && first_error_ > aim_.tolerance && residual_error_ > 0.0
-                           ? std::log(first_error_ / residual_error_) / std::log(first_error_ / aim_.tolerance)
-                           : 0.0;
-  if (!progress_("solving for " + std::to_string(basis_.size() + 1) + " unknowns", std::clamp(share, 0.0, 1.0))) {
+  const bool begun = std::isfinite(first_error_) && first_error_ > aim_.tolerance && residual_error_ > 0.0;
+  const double share = begun ? std::log(first_error_ / residual_error_) / std::log(first_error_ / aim_.tolerance) : 0.0;
+  if (!progress_("solving for unknown " + std::to_string(basis_.size() + 1), std::clamp(share, 0.0, 1.0))) {
     throw Error("the reduction was stopped");
   }
 }
@@ -225,38 +237,22 @@ void KrylovSearch::give_up(const std::string& why) const {
 }
 
 void KrylovSearch::run() {
-  std::size_t cycle = 0;
-  while (!drives_.empty()) {
+  for (std::size_t cycle = 0; !drives_.empty(); ++cycle) {
     look();
-    std::vector<Candidate> candidates = choose();
-    residual_error_ = candidates.empty() ? 0.0 : candidates.front().error;
+    const std::vector<Candidate> ranked = rank();
+    residual_error_ = ranked.empty() ? 0.0 : ranked.front().error;
     if (first_error_ == 0.0 || !std::isfinite(first_error_)) first_error_ = residual_error_;
-    const bool judged = basis_.size() > judged_off() + basis_.conserved();
-    error_ = judged ? step_error(basis_.size() - judged_off()) : std::numeric_limits<double>::infinity();
+    error_ = step_error();
     if (residual_error_ <= aim_.tolerance && error_ <= aim_.tolerance) break;
     if (basis_.size() >= aim_.most_unknowns) give_up("most_unknowns is reached");
     report();
     if (!aim_.shifts.empty()) {
-      continue_chain(aim_.shifts[cycle++ % aim_.shifts.size()]);
+      continue_chains(aim_.shifts[cycle % aim_.shifts.size()]);
       continue;
     }
-    std::erase_if(candidates, [&](const Candidate& c) {
-      return exhausted_[c.drive][c.shift] == static_cast<double>(basis_.size());
-    });
-    if (candidates.empty()) give_up("rounding lets no further unknown improve it");
-    const double worst = candidates.front().error;
-    std::vector<Candidate> batch;
-    for (const Candidate& next : candidates) {
-      const bool overlaps = std::any_of(batch.begin(), batch.end(), [&](const Candidate& other) {
-        const double ratio = candidates_[next.shift] / candidates_[other.shift];
-        return next.drive == other.drive && std::max(ratio, 1.0 / ratio) < separate_shifts;
-      });
-      if (overlaps || next.error < share_of_worst * worst) continue;
-      batch.push_back(next);
-    }
-    for (const Candidate& next : batch) {
-      if (basis_.size() < aim_.most_unknowns) correct(next);
-    }
+    const std::vector<Candidate> chosen = choose(ranked);
+    if (chosen.empty()) give_up("rounding lets no further unknown improve it");
+    correct(chosen);
   }
   cost_.evaluations += solver_.evaluations() + static_cast<long>(basis_.size());
   cost_.peak_bytes = std::max(cost_.peak_bytes, basis_.bytes() + solver_.bytes());

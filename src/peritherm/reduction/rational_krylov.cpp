@@ -40,8 +40,7 @@ Reduction reduce(const RationalKrylov& method, FullSystem& full, const Reduction
   aim.most_unknowns = static_cast<std::size_t>(method.most_unknowns);
   KrylovSearch search(full, aim, reduction.cost, progress);
   search.run();
-  const std::size_t size = search.basis().size();
-  fill_model(search.basis(), search.inputs(), full, size - std::min(size, search.judged_off()), reduction.model);
+  fill_model(search.basis(), search.inputs(), full, search.judged(), reduction.model);
   reduction.model.method = method;
   reduction.model.estimated_error = search.error();
   reduction.notes.push_back(text_of_shifts(search.shifts_taken()));

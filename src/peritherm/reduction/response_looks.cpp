@@ -11,57 +11,63 @@ namespace {
 constexpr std::size_t looks_chunk = 512;  ///< entries whose basis stays in the second cache
 constexpr std::size_t looks_slab = 16;    ///< chunks that are summed in order
 
-/// One chunk of r and x for one shift.
+/// One chunk of the residual and of the response at one time.
 struct ResponseChunk {
   double residual[looks_chunk], response[looks_chunk];
 };
 
-void fill_chunk(const HeatBasis& basis, ConstField rate, double shift, ConstField coordinates, std::size_t begin,
-                std::size_t length, ResponseChunk& chunk) {
+void fill_chunk(const HeatBasis& basis, const Drive& drive, const Response& response, std::size_t time,
+                std::size_t begin, std::size_t length, ResponseChunk& chunk) {
   double* const residual = chunk.residual;
-  double* const response = chunk.response;
+  double* const temperature = chunk.response;
   for (std::size_t n = 0; n < length; ++n) {
-    residual[n] = rate[begin + n];
-    response[n] = 0.0;
+    residual[n] = drive.is_start ? 0.0 : drive.rate[begin + n];
+    temperature[n] = 0.0;
   }
   for (std::size_t k = 0; k < basis.size(); ++k) {
     const double* const state = basis.state(k).data() + begin;
-    const double* const own_rate = basis.rate(k).data() + begin;
-    const double weight = coordinates[k], shifted = shift * weight;
+    const double* const rate = basis.rate(k).data() + begin;
+    const double weight = response.coordinates(k, time), slope = response.slopes(k, time);
 #pragma omp simd
     for (std::size_t n = 0; n < length; ++n) {
-      response[n] += weight * state[n];
-      residual[n] += weight * own_rate[n] - shifted * state[n];
+      temperature[n] += weight * state[n];
+      residual[n] += weight * rate[n] - slope * state[n];
     }
   }
 }
 
 }  // namespace
 
-ResponseSolver::ResponseSolver(const HeatBasis& basis) {
-  ProjectedEquations projected = project_equations(basis, basis.size(), Matrix(basis.size(), 0));
+ResponseSolver::ResponseSolver(const HeatBasis& basis, std::size_t count) : basis_(basis) {
+  ProjectedEquations projected = project_equations(basis, count, Matrix(basis.size(), 0));
   rates_ = std::move(projected.equations.rates);
   modes_ = std::move(projected.modes);
 }
 
-Matrix ResponseSolver::coordinates(const HeatBasis& basis, ConstField rate, const std::vector<double>& shifts) const {
-  const std::vector<double> gains = basis.coordinates(rate);
-  Matrix result(basis.size(), shifts.size());
-  for (std::size_t mode = 0; mode < basis.size(); ++mode) {
+Response ResponseSolver::respond(const Drive& drive, const std::vector<double>& times) const {
+  const std::vector<double> gains = basis_.coordinates(drive.rate);
+  Response response{Matrix(basis_.size(), times.size()), Matrix(basis_.size(), times.size())};
+  for (std::size_t mode = 0; mode < rates_.size(); ++mode) {
     double gain = 0.0;
-    for (std::size_t k = 0; k < basis.size(); ++k) gain += modes_(k, mode) * gains[k];
-    for (std::size_t s = 0; s < shifts.size(); ++s) {
-      const double share = gain / (shifts[s] + rates_[mode]);
-      for (std::size_t k = 0; k < basis.size(); ++k) result(k, s) += modes_(k, mode) * share;
+    for (std::size_t k = 0; k < modes_.rows; ++k) gain += modes_(k, mode) * gains[k];
+    for (std::size_t t = 0; t < times.size(); ++t) {
+      const double decayed = std::exp(-rates_[mode] * times[t]);
+      const double grown =
+          rates_[mode] * times[t] > 1e-12 ? -std::expm1(-rates_[mode] * times[t]) / rates_[mode] : times[t];
+      const double share = gain * (drive.is_start ? decayed : grown);
+      const double slope = gain * decayed * (drive.is_start ? -rates_[mode] : 1.0);
+      for (std::size_t k = 0; k < modes_.rows; ++k) {
+        response.coordinates(k, t) += modes_(k, mode) * share;
+        response.slopes(k, t) += modes_(k, mode) * slope;
+      }
     }
   }
-  return result;
+  return response;
 }
 
-std::vector<Look> look_at(const HeatBasis& basis, ConstField rate, const std::vector<double>& shifts,
-                          const Matrix& coordinates) {
+std::vector<Look> look_at(const HeatBasis& basis, const Drive& drive, const Response& response) {
   const ConstField capacities = basis.capacities();
-  const std::size_t entries = capacities.size(), count = shifts.size();
+  const std::size_t entries = capacities.size(), count = response.slopes.columns;
   constexpr std::size_t slab = looks_chunk * looks_slab;
   const std::size_t slabs = (entries + slab - 1) / slab;
   std::vector<Look> looks(slabs * count);
@@ -70,9 +76,9 @@ std::vector<Look> look_at(const HeatBasis& basis, ConstField rate, const std::ve
     ResponseChunk chunk;
     for (std::size_t begin = b * slab; begin < std::min(entries, (b + 1) * slab); begin += looks_chunk) {
       const std::size_t length = std::min(looks_chunk, entries - begin);
-      for (std::size_t s = 0; s < count; ++s) {
-        fill_chunk(basis, rate, shifts[s], coordinates.column(s), begin, length, chunk);
-        Look& look = looks[b * count + s];
+      for (std::size_t t = 0; t < count; ++t) {
+        fill_chunk(basis, drive, response, t, begin, length, chunk);
+        Look& look = looks[b * count + t];
         for (std::size_t n = 0; n < length; ++n) {
           const double capacity = capacities[begin + n];
           if (capacity == 0.0) continue;
@@ -91,14 +97,15 @@ std::vector<Look> look_at(const HeatBasis& basis, ConstField rate, const std::ve
   return all;
 }
 
-void residual_of(const HeatBasis& basis, ConstField rate, double shift, ConstField coordinates, Field residual) {
+void residual_of(const HeatBasis& basis, const Drive& drive, const Response& response, std::size_t time,
+                 Field residual) {
   const ConstField capacities = basis.capacities();
   const std::size_t chunks = (capacities.size() + looks_chunk - 1) / looks_chunk;
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < chunks; ++c) {
     ResponseChunk chunk;
     const std::size_t begin = c * looks_chunk, length = std::min(looks_chunk, capacities.size() - begin);
-    fill_chunk(basis, rate, shift, coordinates, begin, length, chunk);
+    fill_chunk(basis, drive, response, time, begin, length, chunk);
     for (std::size_t n = 0; n < length; ++n) {
       residual[begin + n] = capacities[begin + n] > 0.0 ? chunk.residual[n] : 0.0;
     }

@@ -6,37 +6,43 @@
 
 namespace peritherm {
 
-/// What drives a body, and how far its response in the frequency domain, x(s) = (s + A)⁻¹ rate, is known. At the time
-/// t after it has set in, the temperature is about x(1/t); that of a start is about s x(s).
+/// What drives a body: an input that is 1 from time 0 on, or the start.
 struct Drive {
-  ConstField rate;  ///< of a unit input [K/s], or the start itself [K]
+  ConstField rate;  ///< of the input [K/s], or the start itself [K]
   bool is_start = false;
-  double amplitude = 0.0;  ///< of the temperatures that belong to a unit input; 0 if it puts heat in [K]
-  double damping = 0.0;    ///< rate at which what is not known of x decays, beside s [1/s]
+  double amplitude = 0.0;  ///< of the temperatures that belong to the input; 0 if it puts heat in [K]
+  double damping = 0.0;    ///< rate at which an error of the response decays by itself [1/s]
 };
 
-/// What a basis leaves of a drive at a shift.
-struct Look {
-  double residual = 0.0;  ///< (Σ C r²)^½, r = rate − (s + A) x
-  double largest = 0.0;   ///< max |x|
+/// Galerkin's response T(t) = Σ coordinate · state to a drive at some times, and its slope, one column per time.
+struct Response {
+  Matrix coordinates;  ///< [K]
+  Matrix slopes;       ///< [K/s]
 };
 
-/// Galerkin's coordinates of x for some shifts, one column each.
+/// Of the first `count` states of a basis.
 class ResponseSolver {
  public:
-  explicit ResponseSolver(const HeatBasis& basis);
-  Matrix coordinates(const HeatBasis& basis, ConstField rate, const std::vector<double>& shifts) const;
+  ResponseSolver(const HeatBasis& basis, std::size_t count);
+  Response respond(const Drive& drive, const std::vector<double>& times) const;
 
  private:
+  const HeatBasis& basis_;
   std::vector<double> rates_;
   Matrix modes_;
 };
 
-/// Looks at all shifts in one pass over the basis.
-std::vector<Look> look_at(const HeatBasis& basis, ConstField rate, const std::vector<double>& shifts,
-                          const Matrix& coordinates);
+/// What a response leaves at a time.
+struct Look {
+  double residual = 0.0;  ///< (Σ C r²)^½, r = rate of the full system − slope
+  double largest = 0.0;   ///< max |T|
+};
 
-/// r = rate − (shift + A) Σ coordinate · state.
-void residual_of(const HeatBasis& basis, ConstField rate, double shift, ConstField coordinates, Field residual);
+/// Looks at all times in one pass over the basis.
+std::vector<Look> look_at(const HeatBasis& basis, const Drive& drive, const Response& response);
+
+/// r = rate of the full system − slope at one of the times. It is orthogonal to the basis.
+void residual_of(const HeatBasis& basis, const Drive& drive, const Response& response, std::size_t time,
+                 Field residual);
 
 }  // namespace peritherm

@@ -69,7 +69,7 @@ class BlockLanczos {
     if (next_.cols() != last_width_) return false;
     const EigenMatrix residuals = next_ * weights_.bottomRows(next_.cols());
     for (Eigen::Index k = 0; k < count; ++k) {
-      if (residuals.col(k).norm() > 1e-8 * values_[k]) return false;
+      if (residuals.col(k).norm() > 1e-6 * values_[k]) return false;
     }
     return true;
   }
@@ -101,13 +101,15 @@ class BlockLanczos {
     const double size = block.norm();
     for (Eigen::Index k = 0; k < block.cols(); ++k) {
       EigenVector column = block.col(k);
+      const double before = column.norm();
       for (int pass = 0; pass < 2; ++pass) {
         for (Eigen::Index j = 0; j < k; ++j) {
           const double share = block.col(j).dot(column);
           column -= share * block.col(j);
           next_(j, k) += share;
         }
-        column -= vectors_ * (vectors_.transpose() * column).eval();
+        // What is small beside the rest may be rounding along earlier vectors.
+        if (column.norm() < 1e-3 * before) column -= vectors_ * (vectors_.transpose() * column).eval();
       }
       const double length = column.norm();
       if (length > 1e-13 * size) {

@@ -18,7 +18,8 @@ struct SymmetricModes {
 /// (Fault::numerics) is thrown.
 SymmetricModes all_modes(const Matrix& conductances, const Matrix& capacities);
 
-/// The slowest ones, by block Lanczos steps with K⁻¹ [golub2013, sec. 10.3.6], each to a residual of 1e-8 of its rate.
+/// The slowest ones, by block Lanczos steps with K⁻¹ [golub2013, sec. 10.3.6], each to a residual of
+/// 1e-6: rates are then good to 1e-12.
 /// `capacities`: the diagonal of C.
 SymmetricModes slowest_modes(const SparseFactor& conductances, std::span<const double> capacities, std::size_t count);
 
