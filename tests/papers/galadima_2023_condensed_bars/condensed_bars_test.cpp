@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include "support/published.hpp"
 #include "support/reduced_case.hpp"
@@ -47,31 +47,43 @@ double bar_error(ReducedCase& bar, const ReducedModel& model, const ReducedModel
   return largest;
 }
 
+/// What the table says of a model.
+double bar_value(const Published& published, std::size_t row, ReducedCase& bar, const ReducedModel& model,
+                 const ReducedModel& full) {
+  const std::string quantity = published.text(row, "quantity");
+  const std::vector<double>& rates = model.stages.front().equations.rates;
+  if (quantity == "slowest_rate") return rates.front();
+  if (quantity == "stable_step") return 2.0 / rates.back();
+  const double time = published.number(row, "time_s");
+  if (quantity == "middle") return model_temperatures(model, bar.inputs(), bar.start(), time)[49];
+  return bar_error(bar, model, full, time);
+}
+
 TEST(CondensedBars, agree_with_the_reference) {
   const Published published("galadima_2023_condensed_bars");
-  for (std::size_t row = 0; row < published.size(); ++row) {
-    const int exponent = static_cast<int>(published.number(row, "exponent"));
-    const int every = static_cast<int>(published.number(row, "every"));
-    const std::string quantity = published.text(row, "quantity");
-    const double right = published.number(row, "value");
-    const double half_digit = published.number(row, "half_digit");
+  std::size_t compared = 0;
+  for (const int exponent : {0, 1, 2}) {
     ReducedCase bar(condensed_bar(exponent));
-    const bool lumped = published.text(row, "capacity") == "lumped";
-    const ReducedModel model =
-        condense_bar(bar, every, lumped ? CondensedCapacity::lumped : CondensedCapacity::consistent);
-    const std::vector<double>& rates = model.stages.front().equations.rates;
-    double value = rates.front();
-    if (quantity == "stable_step") value = 2.0 / rates.back();
-    if (quantity == "middle")
-      value = model_temperatures(model, bar.inputs(), bar.start(), published.number(row, "time_s"))[49];
-    if (quantity == "error") {
-      const ReducedModel full = condense_bar(bar, 1, CondensedCapacity::consistent);
-      value = bar_error(bar, model, full, published.number(row, "time_s"));
+    const ReducedModel full = condense_bar(bar, 1, CondensedCapacity::consistent);
+    std::map<std::pair<int, std::string>, ReducedModel> models;
+    for (std::size_t row = 0; row < published.size(); ++row) {
+      if (static_cast<int>(published.number(row, "exponent")) != exponent) continue;
+      const int every = static_cast<int>(published.number(row, "every"));
+      const std::string capacity = published.text(row, "capacity");
+      auto found = models.find({every, capacity});
+      if (found == models.end()) {
+        const auto kind = capacity == "lumped" ? CondensedCapacity::lumped : CondensedCapacity::consistent;
+        found = models.emplace(std::pair{every, capacity}, condense_bar(bar, every, kind)).first;
+      }
+      // Both are exact in time, so what is left is the reference's rounding to its digits, and that of exponentials.
+      EXPECT_NEAR(bar_value(published, row, bar, found->second, full), published.number(row, "value"),
+                  1.01 * published.number(row, "half_digit"))
+          << "1/|xi|^" << exponent << ", every " << every << ", " << published.text(row, "quantity") << " at "
+          << published.text(row, "time_s");
+      ++compared;
     }
-    // Both are exact in time, so what is left is the reference's rounding to its digits, and that of exponentials.
-    EXPECT_NEAR(value, right, 1.01 * half_digit)
-        << "1/|xi|^" << exponent << ", every " << every << ", " << quantity << " at " << published.text(row, "time_s");
   }
+  EXPECT_EQ(compared, published.size());
 }
 
 }  // namespace
