@@ -244,14 +244,20 @@ void KrylovSearch::run() {
     if (first_error_ == 0.0 || !std::isfinite(first_error_)) first_error_ = residual_error_;
     error_ = step_error();
     if (residual_error_ <= aim_.tolerance && error_ <= aim_.tolerance) break;
-    if (basis_.size() >= aim_.most_unknowns) give_up("most_unknowns is reached");
+    if (basis_.size() >= aim_.most_unknowns) {
+      if (!aim_.must_reach) break;
+      give_up("most_unknowns is reached");
+    }
     report();
     if (!aim_.shifts.empty()) {
       continue_chains(aim_.shifts[cycle % aim_.shifts.size()]);
       continue;
     }
     const std::vector<Candidate> chosen = choose(ranked);
-    if (chosen.empty()) give_up("rounding lets no further unknown improve it");
+    if (chosen.empty()) {
+      if (!aim_.must_reach) break;
+      give_up("rounding lets no further unknown improve it");
+    }
     correct(chosen);
   }
   cost_.evaluations += solver_.evaluations() + static_cast<long>(basis_.size());

@@ -14,6 +14,7 @@ struct KrylovAim {
   double tolerance = 1e-6;     ///< error (rms) after steps of each input, relative to the temperatures at that time
   std::vector<double> shifts;  ///< to be cycled through [1/s]; none: inverse times at which most is missing
   std::size_t most_unknowns = 200;
+  bool must_reach = true;  ///< false: be content with what can be had
 };
 
 /// Builds a rational Krylov subspace for the inputs of a system and for its start [druskin2011]. What Galerkin's
