@@ -8,15 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "answer.hpp"
 #include "interrupt.hpp"
 #include "papers.hpp"
 #include "peritherm/base/error.hpp"
 #include "peritherm/base/version.hpp"
+#include "peritherm/reduction/model_file.hpp"
 #include "peritherm/simulation/read.hpp"
 #include "peritherm/simulation/schema.hpp"
 #include "peritherm/simulation/simulate.hpp"
 #include "peritherm/simulation/write.hpp"
 #include "progress.hpp"
+#include "reduce.hpp"
 #include "report.hpp"
 #include "study_report.hpp"
 #include "text.hpp"
@@ -32,13 +35,15 @@ constexpr int exit_signal_base = 128;  ///< the shell's habit: 130 for SIGINT
 struct Arguments {
   std::string case_file;
   std::string output;
+  std::string loads;  ///< file of loads for a model
   std::vector<std::string> overrides;
   int threads = -1;  ///< −1: what the case says
   bool quiet = false;
   bool overwrite = false;
   bool markdown = false;
-  bool study = false;  ///< the schema of a study file
-  bool rerun = false;  ///< runs of a study that are finished are run again
+  bool study = false;   ///< the schema of a study file
+  bool verify = false;  ///< compares a reduced model with the full one
+  bool rerun = false;   ///< runs of a study that are finished are run again
 };
 
 std::vector<std::string> all_overrides(const Arguments& arguments) {
@@ -47,17 +52,35 @@ std::vector<std::string> all_overrides(const Arguments& arguments) {
   return overrides;
 }
 
-/// results/NAME, after the file, or after its folder if the file is called case.toml or study.toml like most.
-std::filesystem::path result_folder(const Arguments& arguments) {
+/// results/NAME, after the file, or after its folder if the file is called case.toml, study.toml or model.h5 like most.
+/// What a model answers goes beside it.
+std::filesystem::path result_folder(const Arguments& arguments, const std::string& ending = {}) {
   if (!arguments.output.empty()) return arguments.output;
   const std::filesystem::path file = std::filesystem::absolute(arguments.case_file).lexically_normal();
   const std::filesystem::path folder_name = file.parent_path().filename();
-  const bool usual_name = file.filename() == "case.toml" || file.filename() == "study.toml";
+  const std::filesystem::path name = file.filename();
+  const bool usual_name = name == "case.toml" || name == "study.toml" || name == "model.h5";
   const bool named_by_folder = usual_name && !folder_name.empty();
-  return std::filesystem::path("results") / (named_by_folder ? folder_name : file.stem());
+  return std::filesystem::path("results") / ((named_by_folder ? folder_name : file.stem()).string() + ending);
+}
+
+int answer_model(const Arguments& arguments) {
+  AnswerArguments question;
+  question.model_file = arguments.case_file;
+  question.loads_file = arguments.loads;
+  question.folder = result_folder(arguments, "_answer").string();
+  question.overrides = all_overrides(arguments);
+  question.quiet = arguments.quiet;
+  question.overwrite = arguments.overwrite;
+  return run_answer(question);
 }
 
 int run_case(const Arguments& arguments) {
+  if (is_model_file(arguments.case_file)) return answer_model(arguments);
+  if (!arguments.loads.empty()) {
+    throw Error("--loads is for reduced models, and '" + arguments.case_file + "' is none",
+                "Make one with: peritherm reduce " + arguments.case_file);
+  }
   const ReadCase read = read_case_file(arguments.case_file, all_overrides(arguments));
   const bool quiet = arguments.quiet;
   ProgressDisplay display(std::cout, display_style(quiet));
@@ -93,7 +116,23 @@ int end_of_page() {
   throw Error("cannot write to the standard output", "Check what it is connected to", Fault::machine);
 }
 
+int reduce_to_model(const Arguments& arguments) {
+  ReduceArguments reduction;
+  reduction.case_file = arguments.case_file;
+  reduction.folder = result_folder(arguments).string();
+  reduction.overrides = all_overrides(arguments);
+  reduction.verify = arguments.verify;
+  reduction.quiet = arguments.quiet;
+  reduction.overwrite = arguments.overwrite;
+  return run_reduce(reduction);
+}
+
 int check_case(const Arguments& arguments) {
+  if (is_model_file(arguments.case_file)) {
+    const ModelCase model_case = read_model_case(arguments.case_file, all_overrides(arguments));
+    std::cout << model_text(model_case) << "\nThe case that it was made of:\n\n" << write_problem(model_case.problem);
+    return end_of_page();
+  }
   const ReadCase read = read_case_file(arguments.case_file, all_overrides(arguments));
   if (!read.problem.title.empty()) std::cout << read.problem.title << '\n';
   std::cout << check_text(plan(read.problem)) << "\nThe case with every default filled in:\n\n"
@@ -154,7 +193,9 @@ CLI::App* add_papers_verb(CLI::App& program, PapersArguments& arguments) {
 }
 
 void add_case_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("case", arguments.case_file, "the case file (TOML)")->required()->type_name("CASE");
+  verb.add_option("case", arguments.case_file, "the case file (TOML), or a reduced model (HDF5)")
+      ->required()
+      ->type_name("CASE");
   verb.add_option("--threads", arguments.threads, "number of threads; 0: as many cores as pay")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
@@ -183,15 +224,28 @@ CLI::App* add_study_verb(CLI::App& program, Arguments& arguments) {
   return verb;
 }
 
+CLI::App* add_reduce_verb(CLI::App& program, Arguments& arguments) {
+  CLI::App* verb = program.add_subcommand(
+      "reduce", "makes a model of a case with few unknowns, which answers for other loads at once");
+  add_case_options(*verb, arguments);
+  add_result_options(*verb, arguments);
+  verb->add_flag("--verify", arguments.verify, "runs the full model too and prints the true error and the speed-up");
+  return verb;
+}
+
 int dispatch(int argc, char** argv) {
   Arguments arguments;
   CLI::App program{"Peritherm: transient heat conduction with peridynamics", "peritherm"};
   program.set_version_flag("--version", "peritherm " + std::string(version()));
   program.require_subcommand(1);
 
-  CLI::App* run_verb = program.add_subcommand("run", "runs a case and writes its results");
+  CLI::App* run_verb =
+      program.add_subcommand("run", "runs a case, or puts questions to a reduced model, and writes the results");
   add_case_options(*run_verb, arguments);
   add_result_options(*run_verb, arguments);
+  run_verb->add_option("--loads", arguments.loads, "of a reduced model: a file of loads (TOML), answered one by one")
+      ->type_name("LOADS");
+  CLI::App* reduce_verb = add_reduce_verb(program, arguments);
   CLI::App* study_verb = add_study_verb(program, arguments);
   CLI::App* check_verb =
       program.add_subcommand("check", "reads and checks a case; prints its sizes and costs; runs nothing");
@@ -210,6 +264,7 @@ int dispatch(int argc, char** argv) {
     return exit_input;
   }
   if (run_verb->parsed()) return run_case(arguments);
+  if (reduce_verb->parsed()) return reduce_to_model(arguments);
   if (study_verb->parsed()) return study_cases(arguments);
   if (check_verb->parsed()) return check_case(arguments);
   if (papers_verb->parsed()) return run_papers(papers);

@@ -43,7 +43,7 @@ list(FILTER headers EXCLUDE REGEX "/sundials_[a-z_]+\\.hpp$")
 if(TARGET PkgConfig::hdf5)
   list(FILTER sources EXCLUDE REGEX "/model_file_unavailable\\.cpp$")
 else()
-  list(FILTER sources EXCLUDE REGEX "/model_file\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/(model_file|hdf5_file)\\.cpp$")
 endif()
 
 # Contraction to fused multiply-adds is allowed where it pays and nowhere else, so that all other code gives the same

@@ -6,6 +6,10 @@ foreach(expectation IN LISTS expectations)
   add_test(NAME cli.${name} COMMAND ${PERITHERM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/cli/run_cases.py
                                     $<TARGET_FILE:peritherm_program> ${folder})
   set_tests_properties(cli.${name} PROPERTIES LABELS cli TIMEOUT 120 ENVIRONMENT "${test_environment}")
+  # Models are files of HDF5's.
+  if(name MATCHES "^(model_|loads_file_|file_is_no_model)" AND NOT TARGET PkgConfig::hdf5)
+    set_tests_properties(cli.${name} PROPERTIES LABELS "cli;hdf5" DISABLED TRUE)
+  endif()
 endforeach()
 
 add_test(NAME cli.interrupt COMMAND ${PERITHERM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/cli/interrupt.py

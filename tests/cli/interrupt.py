@@ -7,12 +7,12 @@ Usage: interrupt.py PROGRAM
 import csv
 import json
 import signal
-import subprocess
 import sys
 import tempfile
-import time
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+
+from interrupting import interrupt
 
 CASE = """
 format = 1
@@ -47,17 +47,6 @@ name = "centre"
 at = ["5 mm", "5 mm"]
 every = "20 ms"
 """
-
-START_LIMIT = 60  # seconds until the first fields are there, on a busy machine
-END_LIMIT = 30    # seconds from the interrupt to the end: one step and the closing files
-
-
-def wait_for_fields(process, folder):
-    deadline = time.monotonic() + START_LIMIT
-    while len(list(folder.glob("fields/*.vt*"))) < 3:
-        assert process.poll() is None, "the run ended by itself: " + process.stderr.read()
-        assert time.monotonic() < deadline, "no fields were written in time"
-        time.sleep(0.05)
 
 
 def check_tables(folder):
@@ -95,16 +84,8 @@ def check_rest(folder):
 
 def interrupt_and_check(program, signal_number, folder):
     (folder / "case.toml").write_text(CASE, encoding="utf-8")
-    process = subprocess.Popen([program, "run", "case.toml", "--output", "out"], cwd=folder, text=True,
-                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    try:
-        wait_for_fields(process, folder / "out")
-        process.send_signal(signal_number)
-        output, errors = process.communicate(timeout=END_LIMIT)
-    finally:
-        process.kill()
-    assert process.returncode == 128 + signal_number, f"exit code {process.returncode}: {errors}"
-    assert errors == "", errors
+    output = interrupt([program, "run", "case.toml", "--output", "out"], folder,
+                       lambda: len(list(folder.glob("out/fields/*.vt*"))) >= 3, signal_number)
     assert "stopped" in output, output
     summary = json.loads((folder / "out" / "summary.json").read_text(encoding="utf-8"))
     assert summary["status"] == "stopped", summary

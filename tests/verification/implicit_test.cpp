@@ -164,6 +164,18 @@ TYPED_TEST(Implicit, growing_cracks_are_refused) {
   EXPECT_THROW(integrator->advance(0.0, 1.0, state, [](double, ConstField) { return true; }), Error);
 }
 
+TYPED_TEST(Implicit, bonds_that_break_are_refused_before_the_march) {
+  Problem problem = unit_body(1, 12, 2.5);
+  DamageOptions& damage = problem.damage.emplace();
+  damage.critical_elongation = 0.1;
+  damage.displacement = {Profile("0.2*x*t")};
+  damage.every = 0.1;
+  const Assembly assembly = assemble(problem);
+  const std::vector<double> before{0.4}, after{0.4, 1.0};
+  choose_stepping(TypeParam{}, *assembly.system, 0.0, before);
+  EXPECT_THROW(choose_stepping(TypeParam{}, *assembly.system, 0.0, after), Error);
+}
+
 TYPED_TEST(Implicit, loads_that_are_not_finite_are_named) {
   Problem problem = unit_body(1, 12, 2.5);
   problem.sources.push_back({Profile("1/(t < 0.1)"), std::nullopt});

@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace peritherm {
 namespace {
@@ -64,6 +65,21 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
 void write_file(const fs::path& path, std::string_view text) {
   const auto write = [text](std::ostream& out) { out.write(text.data(), static_cast<std::streamsize>(text.size())); };
   write_file(path, std::function<void(std::ostream&)>(write));
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code failure;
+  fs::remove(path, failure);
+  if (failure) throw Error("cannot remove the older '" + path.string() + "'", failure.message(), Fault::machine);
+}
+
+void remove_files(const fs::path& folder, const std::function<bool(const std::string& name)>& such) {
+  if (!fs::is_directory(folder)) return;
+  std::vector<fs::path> old;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (such(entry.path().filename().string())) old.push_back(entry.path());
+  }
+  for (const fs::path& path : old) remove_file(path);
 }
 
 void make_folder(const fs::path& path) {

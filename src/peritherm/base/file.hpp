@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <string>
 #include <string_view>
 
 #include "peritherm/base/error.hpp"
@@ -17,6 +18,11 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// The Error (Fault::machine) for a file that cannot be written; `reason` is the value of errno, 0 if unknown.
 Error file_error(const std::filesystem::path& path, int reason);
+
+/// Removes what is left of an older result, if it is there. Throws Error (Fault::machine) that names it.
+void remove_file(const std::filesystem::path& path);
+/// The same for those files of a folder whose names are such; the folder need not be there.
+void remove_files(const std::filesystem::path& folder, const std::function<bool(const std::string& name)>& such);
 
 /// Makes a folder and its parents. Throws Error (Fault::machine) that names it.
 void make_folder(const std::filesystem::path& path);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,12 @@ std::string_view trimmed(std::string_view text);
 
 /// "a, b, c".
 std::string join(const std::vector<std::string>& words, std::string_view separator = ", ");
+
+/// The entries of a line of a table, each trimmed; an empty line has one.
+std::vector<std::string_view> split_at_commas(std::string_view text);
+
+/// The number that a whole text is, if it is a finite one: "0.1", "+2e3".
+std::optional<double> finite_number(std::string_view text);
 
 /// The candidate with the fewest typing errors (insert, drop, replace or swap a letter); empty if none is near.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "peritherm/base/error.hpp"
@@ -125,6 +126,13 @@ bool needs_symmetry(const TimeStepping& options) {
          std::holds_alternative<BackwardDifferences>(options) || std::holds_alternative<ImplicitRungeKutta>(options);
 }
 
+void refuse_cuts(std::string_view method, ThermalSystem& system, double from, double to) {
+  system.begin_step(from, from);
+  if (!system.begin_step(from, to)) return;
+  throw Error("time.integrator: " + std::string(method) + " cannot follow bonds that are cut or break during the run",
+              "Choose the integrator \"rkl2\", which can");
+}
+
 std::size_t times_at_once(std::size_t state_size) {
   constexpr std::size_t room = std::size_t{1} << 26;  // bytes; beyond that, keeping results costs more than it saves
   return std::clamp<std::size_t>(room / (8 * state_size + 1), 3, 64);
@@ -141,8 +149,14 @@ ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& syste
                                std::span<const double> times) {
   refuse_one_sided(options, system);
   if (std::holds_alternative<SteadyState>(options)) refuse_rounding(SteadyState::name, system);
-  if (const auto* implicit = std::get_if<BackwardDifferences>(&options)) refuse_fine_tolerance(*implicit, system);
-  if (const auto* implicit = std::get_if<ImplicitRungeKutta>(&options)) refuse_fine_tolerance(*implicit, system);
+  std::visit(
+      [&](const auto& chosen) {
+        if constexpr (std::is_base_of_v<ImplicitOptions, std::decay_t<decltype(chosen)>>) {
+          refuse_fine_tolerance(chosen, system);
+          if (!times.empty()) refuse_cuts(chosen.name, system, from, times.back());
+        }
+      },
+      options);
   if (std::holds_alternative<Chebyshev>(options)) {
     refuse_rounding(Chebyshev::name, system);
     if (!times.empty()) refuse_changes(system, from, times.back());

@@ -238,6 +238,9 @@ bool needs_symmetry(const TimeStepping& options);
 inline constexpr std::string_view one_sided_reason =
     "points on faces that follow others, or whose self_term counts part of a cell, conduct one way only";
 
+/// Throws Error if bonds are cut or break in between, for methods that take conductances to be the same throughout.
+void refuse_cuts(std::string_view method, ThermalSystem& system, double from, double to);
+
 /// Output times that the propagator serves with one recurrence, for states of so many entries.
 std::size_t times_at_once(std::size_t state_size);
 

@@ -93,13 +93,6 @@ void SundialsMarch::expect_success(int flag, double time) {
   throw Error(text.str(), "Look for expressions that jump or are not finite near that time", Fault::numerics);
 }
 
-void SundialsMarch::refuse_growing_cracks(double from, double to) {
-  system_.begin_step(from, from);
-  if (!system_.begin_step(from, to)) return;
-  throw Error("time.integrator: " + name_ + " cannot follow bonds that are cut or break during the run",
-              "Choose the integrator \"rkl2\", which can");
-}
-
 void SundialsMarch::begin(double from, Field temperature) {
   std::copy(temperature.begin(), temperature.end(), values(state()).begin());
   const auto [lowest, highest] = system_.extremes(temperature);
@@ -125,7 +118,7 @@ void SundialsMarch::look_ahead(double to) {
 }
 
 double SundialsMarch::advance(double from, double to, Field temperature, const AfterStep& after_step) {
-  refuse_growing_cracks(from, to);
+  refuse_cuts(name_, system_, from, to);
   const bool anew = !started_ || from != reached_;
   if (anew) begin(from, temperature);
   bool go_on = true;

@@ -57,7 +57,6 @@ class SundialsMarch : public TimeIntegrator {
   using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Free>;
 
   Field values(N_Vector vector) const { return {N_VGetArrayPointer(vector), system_.size()}; }
-  void refuse_growing_cracks(double from, double to);
   void begin(double from, Field temperature);
   void look_ahead(double to);
   void find_free_points();

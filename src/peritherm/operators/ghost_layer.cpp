@@ -13,6 +13,36 @@ double sign_of(WallKind kind) {
   return kind == WallKind::odd ? -1.0 : 0.0;
 }
 
+/// The runs that fill fictitious points, by the first entry that each fills.
+class RunsByTarget {
+ public:
+  RunsByTarget(std::span<const GhostRun> runs) {
+    for (const GhostRun& run : runs) by_target_[run.target] = &run;
+  }
+
+  /// Fictitious points stand for points of the body, in corners by way of one another.
+  Stand stand(std::int64_t entry) const {
+    Stand stand{entry, 1.0, {}};
+    for (const GhostRun* run = find(stand.entry); run != nullptr && stand.sign != 0.0; run = find(stand.entry)) {
+      const std::int64_t k = stand.entry - run->target;
+      if (run->boundary >= 0) stand.walls.push_back({run->wall + k * run->wall_step, stand.sign * run->wall_weight});
+      stand.sign *= run->sign;
+      stand.entry = run->source + k * run->step;
+    }
+    return stand;
+  }
+
+ private:
+  const GhostRun* find(std::int64_t entry) const {
+    const auto next = by_target_.upper_bound(entry);
+    if (next == by_target_.begin()) return nullptr;
+    const GhostRun* const run = std::prev(next)->second;
+    return entry < run->target + run->length ? run : nullptr;
+  }
+
+  std::map<std::int64_t, const GhostRun*> by_target_;
+};
+
 }  // namespace
 
 GhostLayer::GhostLayer(const Body& body, const PaddedGrid& layout, const HeldPoints& held_by,
@@ -154,40 +184,6 @@ void GhostLayer::add_face(const Body& body, const PaddedGrid& layout, Face face)
     for (int y = low[1]; y < high[1]; ++y) add_line(body, layout, face, {low[0], y, z}, high[0] - low[0]);
   }
 }
-
-namespace {
-
-/// The runs that fill fictitious points, by the first entry that each fills.
-class RunsByTarget {
- public:
-  RunsByTarget(std::span<const GhostRun> runs) {
-    for (const GhostRun& run : runs) by_target_[run.target] = &run;
-  }
-
-  /// Fictitious points stand for points of the body, in corners by way of one another.
-  Stand stand(std::int64_t entry) const {
-    Stand stand{entry, 1.0, {}};
-    for (const GhostRun* run = find(stand.entry); run != nullptr && stand.sign != 0.0; run = find(stand.entry)) {
-      const std::int64_t k = stand.entry - run->target;
-      if (run->boundary >= 0) stand.walls.push_back({run->wall + k * run->wall_step, stand.sign * run->wall_weight});
-      stand.sign *= run->sign;
-      stand.entry = run->source + k * run->step;
-    }
-    return stand;
-  }
-
- private:
-  const GhostRun* find(std::int64_t entry) const {
-    const auto next = by_target_.upper_bound(entry);
-    if (next == by_target_.begin()) return nullptr;
-    const GhostRun* const run = std::prev(next)->second;
-    return entry < run->target + run->length ? run : nullptr;
-  }
-
-  std::map<std::int64_t, const GhostRun*> by_target_;
-};
-
-}  // namespace
 
 void GhostLayer::add_followers(Followers followers) {
   if (followers.size() == 0) return;

@@ -130,16 +130,15 @@ void draw_chart_grid(Canvas& canvas, const ChartScales& scales, double line) {
 }
 
 /// Where the long side of a triangle ends.
-double end_of_slope(const SlopeTriangle& triangle, const ChartScales& scales) {
-  const double rise =
-      triangle.slope * (on_axis(scales.x_scale, triangle.x_to) - on_axis(scales.x_scale, triangle.x_from));
-  const double end = on_axis(scales.y_scale, triangle.y) + rise;
-  return scales.y_scale == AxisScale::logarithmic ? std::pow(10.0, end) : end;
+double end_of_slope(const SlopeTriangle& triangle, AxisScale x, AxisScale y) {
+  const double rise = triangle.slope * (on_axis(x, triangle.x_to) - on_axis(x, triangle.x_from));
+  const double end = on_axis(y, triangle.y) + rise;
+  return y == AxisScale::logarithmic ? std::pow(10.0, end) : end;
 }
 
 void draw_slope(Canvas& canvas, const SlopeTriangle& triangle, const ChartScales& scales, const FigureSizes& sizes) {
   const Place from = scales(triangle.x_from, triangle.y);
-  const Place to = scales(triangle.x_to, end_of_slope(triangle, scales));
+  const Place to = scales(triangle.x_to, end_of_slope(triangle, scales.x_scale, scales.y_scale));
   const Place corner{to.x, from.y};
   canvas.lines({{from, corner, to, from}}, {ink, sizes.line});
   const bool rightwards = to.x >= from.x;
@@ -148,11 +147,19 @@ void draw_slope(Canvas& canvas, const SlopeTriangle& triangle, const ChartScales
               {sizes.tick_text, ink});
 }
 
-/// All values of the curves along one axis.
-std::vector<double> values_along(const Chart& chart, std::vector<double> Curve::*direction) {
+/// All values along one axis that are to be seen.
+std::vector<double> values_along_x(const Chart& chart) {
   std::vector<double> values;
-  for (const Curve& curve : chart.curves) {
-    values.insert(values.end(), (curve.*direction).begin(), (curve.*direction).end());
+  for (const Curve& curve : chart.curves) values.insert(values.end(), curve.x.begin(), curve.x.end());
+  for (const SlopeTriangle& triangle : chart.slopes) values.insert(values.end(), {triangle.x_from, triangle.x_to});
+  return values;
+}
+
+std::vector<double> values_along_y(const Chart& chart) {
+  std::vector<double> values;
+  for (const Curve& curve : chart.curves) values.insert(values.end(), curve.y.begin(), curve.y.end());
+  for (const SlopeTriangle& triangle : chart.slopes) {
+    values.insert(values.end(), {triangle.y, end_of_slope(triangle, chart.x.scale, chart.y.scale)});
   }
   return values;
 }
@@ -193,8 +200,8 @@ void draw_text_lines(Canvas& canvas, const std::vector<std::string>& lines, Plac
 
 Canvas draw_chart(const Chart& chart, int width) {
   const FigureSizes sizes(width);
-  Axis x = chart_axis(chart.x, axis_ends(chart.x, values_along(chart, &Curve::x), has_dots(chart) ? 0.02 : 0.0), 8);
-  Axis y = chart_axis(chart.y, axis_ends(chart.y, values_along(chart, &Curve::y), 0.06), 6);
+  Axis x = chart_axis(chart.x, axis_ends(chart.x, values_along_x(chart), has_dots(chart) ? 0.02 : 0.0), 8);
+  Axis y = chart_axis(chart.y, axis_ends(chart.y, values_along_y(chart), 0.06), 6);
   const double pad = 2.0 * sizes.gap;
   const double left = std::round(left_margin(y, sizes));
   const double room = std::round(width - left - pad - 0.5 * widest_tick(x, sizes));

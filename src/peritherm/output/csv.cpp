@@ -9,25 +9,21 @@
 #include "peritherm/base/text.hpp"
 
 namespace peritherm {
-namespace {
-
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
-  std::string text = "\"";
-  for (const char letter : name) {
-    if (letter == '"') text += '"';
-    text += letter;
-  }
-  return text + '"';
-}
-
-}  // namespace
-
 std::string exact_text(double value) { return std::isnan(value) ? "nan" : shortest(value); }
+
+std::string csv_entry(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"') quoted += '"';
+    quoted += letter;
+  }
+  return quoted + '"';
+}
 
 CsvTable::CsvTable(std::filesystem::path path, const std::vector<std::string>& columns) : path_(std::move(path)) {
   for (const std::string& column : columns) {
-    header_ += quoted(column);
+    header_ += csv_entry(column);
     header_ += ',';
   }
   header_.back() = '\n';

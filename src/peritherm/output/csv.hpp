@@ -13,6 +13,9 @@ namespace peritherm {
 /// Shortest text that reads back as the same number; "nan" where there is none.
 std::string exact_text(double value);
 
+/// A text as an entry of a table: quoted if it has commas, quotes or line breaks.
+std::string csv_entry(const std::string& text);
+
 /// A table of numbers that grows row by row and holds complete lines only, whatever happens.
 class CsvTable {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace peritherm {
 namespace {
@@ -31,35 +32,49 @@ Cell find_cell(const Grid& grid, const Point& place) {
 
 }  // namespace
 
-double interpolate(const Grid& grid, const PointValues& field, const Point& place) {
+InterpolationWeights interpolation_weights(const Grid& grid, const Point& place,
+                                           const std::function<bool(std::size_t number)>& exists) {
   const Cell cell = find_cell(grid, place);
-  double sum = 0.0;
-  double nearest = std::numeric_limits<double>::quiet_NaN();
+  InterpolationWeights weights;
+  std::optional<std::size_t> nearest;
   double shortest = std::numeric_limits<double>::infinity();
   bool complete = true;
   for (int corner = 0; corner < 8; ++corner) {
     GridIndex p = cell.first;
     double weight = 1.0;
     double distance = 0.0;
-    bool exists = true;
+    bool in_cell = true;
     for (int axis = 0; axis < 3; ++axis) {
       const int step = corner >> axis & 1;
-      exists = exists && step < cell.extent[axis];
+      in_cell = in_cell && step < cell.extent[axis];
       p[axis] += step;
       if (cell.extent[axis] == 2) weight *= step == 1 ? cell.fraction[axis] : 1.0 - cell.fraction[axis];
       distance += (cell.fraction[axis] - step) * (cell.fraction[axis] - step);
     }
-    if (!exists) continue;
-    const double value = field[grid.number(p)];
-    if (!std::isnan(value) && distance < shortest) {
+    if (!in_cell) continue;
+    const std::size_t number = grid.number(p);
+    const bool there = exists(number);
+    if (there && distance < shortest) {
       shortest = distance;
-      nearest = value;
+      nearest = number;
     }
     if (weight == 0.0) continue;
-    if (std::isnan(value)) complete = false;
-    sum += weight * value;
+    if (!there) complete = false;
+    weights.points[weights.count++] = {number, weight};
   }
-  return complete ? sum : nearest;
+  if (complete) return weights;
+  weights.count = nearest ? 1 : 0;
+  if (nearest) weights.points[0] = {*nearest, 1.0};
+  return weights;
+}
+
+double interpolate(const Grid& grid, const PointValues& field, const Point& place) {
+  const InterpolationWeights weights =
+      interpolation_weights(grid, place, [&field](std::size_t number) { return !std::isnan(field[number]); });
+  if (weights.count == 0) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (const WeightedPoint& point : weights) sum += point.weight * field[point.number];
+  return sum;
 }
 
 }  // namespace peritherm

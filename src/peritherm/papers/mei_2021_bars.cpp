@@ -109,7 +109,7 @@ std::array<double, 3> SixRuns::curve(int q, std::size_t time, double x_cm) const
 }
 
 SixRuns::Crossing SixRuns::crossing(std::size_t time, double x_cm) const {
-  const auto found = find_crossing({2.0, 4.0, 8.0}, curve(10, time, x_cm), curve(20, time, x_cm));
+  const auto found = find_crossing(ratios, curve(10, time, x_cm), curve(20, time, x_cm));
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   return found ? Crossing{found->ratio, found->temperature} : Crossing{none, none};
 }

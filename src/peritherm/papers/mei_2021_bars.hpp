@@ -31,6 +31,7 @@ std::string rule_name(PartialVolumes rule);
 
 /// Six runs, L/10 then L/20, each m = 2, 4, 8, and their crossing.
 struct SixRuns {
+  static constexpr std::array<double, 3> ratios{2.0, 4.0, 8.0};
   std::vector<PaperRun> runs() const;
   BarOf2021 bar;  ///< what all have in common
   std::vector<double> times;

@@ -103,10 +103,6 @@ ReportTable time_crossing_table(const std::vector<SixRuns>& studies) {
   return table;
 }
 
-double parabola(const std::array<double, 3>& y, double m) {
-  return y[0] * (m - 4.0) * (m - 8.0) / 12.0 - y[1] * (m - 2.0) * (m - 8.0) / 8.0 + y[2] * (m - 2.0) * (m - 4.0) / 24.0;
-}
-
 ReportPicture bracket_picture(const std::vector<SixRuns>& studies, double classical, const PaperRuns& runs) {
   Chart chart = make_paper_chart("2021, Fig. 8: crossing curves at x = 5 cm, 0.5 s", "m = δ/Δx", "temperature [°C]");
   int colour = 0;
@@ -119,7 +115,7 @@ ReportPicture bracket_picture(const std::vector<SixRuns>& studies, double classi
                   colour};
       for (double m = 2.0; m < 5.01; m += 0.1) {
         curve.x.push_back(m);
-        curve.y.push_back(parabola(studies[rule].curve(q, half_second, 5.0), m));
+        curve.y.push_back(parabola_at(SixRuns::ratios, studies[rule].curve(q, half_second, 5.0), m));
       }
       chart.curves.push_back(std::move(curve));
     }

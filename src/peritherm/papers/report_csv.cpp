@@ -3,24 +3,18 @@
 #include <cmath>
 
 #include "peritherm/base/text.hpp"
+#include "peritherm/output/csv.hpp"
 #include "peritherm/papers/report.hpp"
 
 namespace peritherm {
 namespace {
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + '"';
-}
-
 std::string full_number(double value) { return std::isfinite(value) ? shortest(value) : "nan"; }
 
 std::string row_start(const ReportPaper& paper, const ReportSection& section, const ReportTable& table,
                       const ReportRow& row) {
-  std::string line = fmt::format("{},{},{},{},{}", quoted(paper.name), quoted(section.title), quoted(table.caption),
-                                 quoted(row.quantity), quoted(row.source));
+  std::string line = fmt::format("{},{},{},{},{}", csv_entry(paper.name), csv_entry(section.title),
+                                 csv_entry(table.caption), csv_entry(row.quantity), csv_entry(row.source));
   for (const auto& value : row.values) line += ',' + (value ? full_number(*value) : "");
   return line;
 }
@@ -29,7 +23,7 @@ std::string row_lines(const std::string& start, const ReportRow& row) {
   if (row.checks.empty()) return start + ",,,,\n";
   std::string lines;
   for (const ReportCheck& check : row.checks) {
-    lines += fmt::format("{},{},{},{},{}\n", start, quoted(check.what), full_number(check.value),
+    lines += fmt::format("{},{},{},{},{}\n", start, csv_entry(check.what), full_number(check.value),
                          full_number(check.limit), check.holds() ? "yes" : "no");
   }
   return lines;

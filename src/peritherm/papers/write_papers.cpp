@@ -41,6 +41,18 @@ std::vector<Paper> wanted_papers(const std::vector<std::string>& names) {
   return papers;
 }
 
+/// What an older report has and this one may not; other files in the folder are left alone.
+void remove_old_report(const std::filesystem::path& folder) {
+  for (const char* name : {"report.html", "report.csv", "report.txt"}) remove_file(folder / name);
+  for (const Paper& paper : all_papers()) {
+    remove_file(folder / (paper.name + ".md"));
+    // Pictures of bobaru_2010 are called 2010_….
+    const std::string year = paper.name.substr(paper.name.rfind('_') + 1) + '_';
+    remove_files(folder / "pictures",
+                 [&year](const std::string& name) { return name.starts_with(year) && name.ends_with(".png"); });
+  }
+}
+
 void claim_folder(const PapersSettings& settings) {
   std::error_code failure;
   const bool exists = std::filesystem::exists(settings.folder, failure);
@@ -49,6 +61,7 @@ void claim_folder(const PapersSettings& settings) {
                 "Choose another one with --output, or replace its report with --overwrite", Fault::machine);
   }
   make_folder(settings.folder);
+  remove_old_report(settings.folder);
 }
 
 std::vector<std::filesystem::path> write_report(const Report& report, const std::filesystem::path& folder) {

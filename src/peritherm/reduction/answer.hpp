@@ -1,7 +1,7 @@
 #pragma once
 
-#include <functional>
-#include <optional>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,13 +15,40 @@ namespace peritherm {
 Load find_load(const Profile& profile, LoadKind kind, std::span<const Point> places, double end,
                double tolerance = 1e-10, std::size_t most_shapes = 16);
 
-/// The inputs that a profile amounts to at a time. Throws Error (where the profile leaves the span of the shapes,
-/// naming key, place and time) if the model was not built for it.
+/// What reading a load needs, whatever profile it is given.
+struct LoadFrame {
+  /// Throws Error if the shapes cannot be told apart at the places.
+  explicit LoadFrame(const Load& load);
+  Load load;
+  Matrix inverse;             ///< shapes × deciding places: from values to inputs; empty if the same everywhere
+  Matrix checks;              ///< checking places × shapes
+  std::vector<double> sizes;  ///< largest absolute value of each shape at the places
+};
+
+/// The inputs that a profile amounts to at a time. `end`: until when it will be asked, which tells how large its values
+/// become. Throws Error (where the profile leaves the span of the shapes, naming key, place and time) if the model was
+/// not built for it.
 class LoadReader {
  public:
-  LoadReader(const Load& load, const Profile& profile, double level);
+  LoadReader(const Load& load, const Profile& profile, double level, double end = 0.0);
+  LoadReader(std::shared_ptr<const LoadFrame> frame, const Profile& profile, double level, double end = 0.0);
   void read(double time, std::span<double> inputs);
-  bool depends_on_time() const;
+  bool depends_on_time() const { return profile_.depends_on_time(); }
+  /// Largest absolute value of the profile that was met so far.
+  double largest_value() const { return largest_; }
+  const LoadFrame& frame() const { return *frame_; }
+
+ private:
+  void sample(double time);
+  void check(std::size_t place, double time, std::span<const double> inputs);
+  [[noreturn]] void refuse(std::size_t place, double time, double missed) const;
+
+  std::shared_ptr<const LoadFrame> frame_;
+  CompiledProfile profile_;
+  double offset_;  ///< level, for temperatures
+  double largest_ = 0.0;
+  std::size_t next_check_ = 0;
+  std::vector<double> values_;  ///< at the deciding places
 };
 
 /// One question to a model.
@@ -41,18 +68,39 @@ struct ModelState {
   std::vector<double> inputs;    ///< u, m of them
   std::vector<double> judge;     ///< y', k of them; empty without a judge
   std::vector<double> heats;     ///< per account since the start [J]
+  /// Of the start, what neither model nor judge can express, as far as it may be left: √(Σ C ΔT²) [√(J K)].
+  double left_out = 0.0;
 };
 
-/// States at the times asked for, exact in time for loads that are polynomials of degree 4 between the breaks found.
+/// A model ready for many questions; may be asked by several threads at once. Keeps a reference to the model.
+class ModelAnswerer {
+ public:
+  explicit ModelAnswerer(const ReducedModel& model);
+
+  /// States at the times asked for, exact in time for loads that are polynomials of degree `input_degree` between the
+  /// breaks found; other loads are fitted by such pieces to the tolerance of the question. Throws Error if the question
+  /// does not fit the model.
+  std::vector<ModelState> answer(const ModelQuestion& question) const;
+
+  const ReducedModel& model() const { return model_; }
+
+ private:
+  const ReducedModel& model_;
+  std::vector<std::shared_ptr<const LoadFrame>> frames_;  ///< one per load
+};
+
+/// One question to a model that is not asked again.
 std::vector<ModelState> answer(const ReducedModel& model, const ModelQuestion& question);
 
 /// Rows of basis and direct for some places, so that many answers cost no more than their unknowns.
 struct ModelProbe {
   std::vector<double> unknowns;  ///< r weights
   std::vector<double> inputs;    ///< m weights
-  std::vector<double> judge;     ///< k weights; empty if the judge cannot tell
+  std::vector<double> judge;     ///< k weights; empty without a judge
+  /// m weights: what inputs do to free points at once; zeros where the judge has it in common with the model.
+  std::vector<double> judged_inputs;
   double temperature(const ModelState& state, double level) const;
-  double estimated_error(const ModelState& state) const;  ///< [K]
+  double estimated_error(const ModelState& state) const;  ///< [K]; not a number without a judge
 };
 /// `weights`: temperature = Σ weight · T of points; interpolation between points.
 struct PointWeight {

@@ -81,7 +81,8 @@ ProjectedEquations project_equations(const HeatBasis& basis, std::size_t count, 
   const Matrix conduction = basis.conduction(count);
   const Eigen::Map<const Eigen::MatrixXd> all(conduction.values.data(), static_cast<Eigen::Index>(count),
                                               static_cast<Eigen::Index>(count));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(all.bottomRightCorner(rest, rest));
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  if (rest > 0) solver.compute(all.bottomRightCorner(rest, rest));
   ProjectedEquations projected{{std::vector<double>(count, 0.0), {}, {}}, Matrix(count, count)};
   for (std::size_t k = 0; k < conserved; ++k) projected.modes(k, k) = 1.0;
   for (std::size_t k = conserved; k < count; ++k) {

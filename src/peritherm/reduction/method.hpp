@@ -21,7 +21,7 @@ struct RetainedRegion {
   static constexpr auto options() {
     return std::tuple{required("shape", &RetainedRegion::shape, "which part of the body"),
                       optional("every", &RetainedRegion::every, "", positive,
-                               "every how manieth point of every how manieth row; 1: all of them")};
+                               "2 retains every second point of every second row there; 1 all of them")};
   }
   bool operator==(const RetainedRegion&) const = default;
 };
@@ -36,7 +36,8 @@ struct RetainedPoints {
   int seed = 1;
   static constexpr auto options() {
     return std::tuple{
-        optional("every", &RetainedPoints::every, "", positive, "every how manieth point along each axis"),
+        optional("every", &RetainedPoints::every, "", positive,
+                 "2 retains every second point along an axis; one number for all axes, or one per axis"),
         optional("region", &RetainedPoints::regions, "parts of the body that keep more points"),
         optional("points", &RetainedPoints::points, "m", any_number, "places whose nearest points are retained"),
         optional("share", &RetainedPoints::share, "", zero_to_one, "this share of all points, at random"),

@@ -26,6 +26,8 @@ struct FullSystem {
   double longest_time = 0.0;   ///< end of the run [s]
   std::vector<double> times;   ///< of the case's outputs, ascending, at least one [s]
   std::size_t memory = 0;      ///< that a reduction may use [B]; 0: unknown
+  /// The case's own, one per load; only methods that compare with a run need them.
+  std::vector<Profile> profiles{};
 };
 
 /// Where the time of a reduction went [s], and its size.

@@ -23,7 +23,9 @@ struct ModalEquations {
 struct ModalStage {
   double end = 0.0;  ///< [s]; of the last stage: infinite
   ModalEquations equations;
-  Matrix modes;  ///< r × r; empty: z = y
+  Matrix modes;  ///< r × r, orthogonal; empty: z = y
+  /// a × (r + m): rates of heat through the accounts from (z, u) in this stage [W]; empty: those of HeatOutputs.
+  Matrix heats;
   bool operator==(const ModalStage&) const = default;
 };
 

@@ -64,17 +64,6 @@ WallKind wall_kind(const BoundaryCondition& condition) {
   return held->imposed == Imposed::mirror ? WallKind::odd : WallKind::constant;
 }
 
-}  // namespace
-
-bool is_open(const BoundaryOptions& boundary) {
-  if (boundary.where) return false;
-  const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
-  if (held != nullptr) return holds_inside(*held);
-  return outside_of(boundary.condition) != Outside::mirror;
-}
-
-namespace {
-
 /// Calls visit(point) for the layer of points `depth` points below a face.
 template <class Visit>
 void for_layer(const Grid& grid, Face face, int depth, Visit&& visit) {
@@ -281,6 +270,13 @@ bool stands_on_open_face(const Problem& problem) {
 }
 
 }  // namespace
+
+bool is_open(const BoundaryOptions& boundary) {
+  if (boundary.where) return false;
+  const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
+  if (held != nullptr) return holds_inside(*held);
+  return outside_of(boundary.condition) != Outside::mirror;
+}
 
 bool is_symmetric(const Problem& problem) {
   const auto ties = [](const BoundaryOptions& boundary) { return ties_points(boundary.condition); };

@@ -29,6 +29,13 @@ bool Checker::accept(const std::string& key, const std::string& fault) {
 
 std::string entry(const std::string& list, std::size_t index) { return list + '.' + std::to_string(index); }
 
+bool regions_are_sound(const Checker& checker) {
+  const auto& regions = checker.problem.body.regions;
+  return checker.sound("body.region") && std::all_of(regions.begin(), regions.end(), [&](const BodyRegion& region) {
+           return find_fault(region.shape, checker.grid->dimension).empty();
+         });
+}
+
 bool is_void(const Problem& problem, const Point& place, double slack) {
   const auto& regions = problem.body.regions;
   const auto last = std::find_if(regions.rbegin(), regions.rend(), [&place, slack](const BodyRegion& region) {
@@ -39,6 +46,19 @@ bool is_void(const Problem& problem, const Point& place, double slack) {
 
 bool shape_is_sound(const Checker& checker, const std::string& key, const std::optional<Shape>& shape) {
   return checker.grid && checker.sound(key) && (!shape || find_fault(*shape, checker.grid->dimension).empty());
+}
+
+std::vector<Point> sample_places(const Grid& grid) {
+  std::vector<Point> places;
+  const int combinations = grid.dimension == 1 ? 3 : grid.dimension == 2 ? 9 : 27;
+  for (int number = 0; number < combinations; ++number) {
+    GridIndex index{};
+    for (int axis = 0, rest = number; axis < grid.dimension; ++axis, rest /= 3) {
+      index[static_cast<std::size_t>(axis)] = rest % 3 * (grid.count(axis) - 1) / 2;
+    }
+    places.push_back(grid.position(index));
+  }
+  return places;
 }
 
 Grid make_grid(const Problem& problem) {
@@ -67,10 +87,10 @@ StencilOptions stencil_options_of(const Problem& problem) {
           options.calibration.value_or(choices.calibration), options.self_term.value_or(choices.self_term)};
 }
 
-std::vector<Issue> find_faults(const Problem& given, const Locations& locations,
-                               const std::vector<std::string>& broken) {
+std::vector<Issue> find_faults(const Problem& given, const Locations& locations, const std::vector<std::string>& broken,
+                               CaseUse use) {
   const Problem problem = resolved(given);
-  Checker checker{problem, locations, broken, std::nullopt, false, {}};
+  Checker checker{problem, locations, broken, use, std::nullopt, false, {}};
   check_body(checker);
   check_materials(checker);
   check_horizon(checker);
@@ -78,18 +98,20 @@ std::vector<Issue> find_faults(const Problem& given, const Locations& locations,
   check_boundaries(checker);
   check_profiles(checker);
   check_cracks(checker);
-  check_damage(checker);
+  // A model holds for the cracks and bonds that it was made with, wherever their table is now.
+  if (use != CaseUse::answer) check_damage(checker);
   check_outputs(checker);
   check_numerics(checker);
+  if (use != CaseUse::answer) check_reduction(checker);
   return std::move(checker.issues);
 }
 
-std::vector<Issue> find_faults(const Problem& problem, const Locations& locations) {
-  return find_faults(problem, locations, {});
+std::vector<Issue> find_faults(const Problem& problem, const Locations& locations, CaseUse use) {
+  return find_faults(problem, locations, {}, use);
 }
 
-void check(const Problem& problem, const Locations& locations) {
-  std::vector<Issue> issues = find_faults(problem, locations);
+void check(const Problem& problem, const Locations& locations, CaseUse use) {
+  std::vector<Issue> issues = find_faults(problem, locations, use);
   if (!issues.empty()) throw Error(std::move(issues));
 }
 

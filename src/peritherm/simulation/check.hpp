@@ -17,10 +17,10 @@ double horizon_of(const Problem& problem);
 /// What its bonds are made from.
 StencilOptions stencil_options_of(const Problem& problem);
 
-/// Every rule that spans several options; empty if the problem can be run. Places are looked up by key.
-std::vector<Issue> find_faults(const Problem& problem, const Locations& locations = {});
+/// Every rule that spans several options; empty if the problem can be used. Places are looked up by key.
+std::vector<Issue> find_faults(const Problem& problem, const Locations& locations = {}, CaseUse use = CaseUse::run);
 
 /// Throws Error with all of them.
-void check(const Problem& problem, const Locations& locations = {});
+void check(const Problem& problem, const Locations& locations = {}, CaseUse use = CaseUse::run);
 
 }  // namespace peritherm

@@ -1,5 +1,4 @@
-#include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "peritherm/base/text.hpp"
 #include "peritherm/simulation/checker.hpp"
@@ -16,22 +15,11 @@ void check_component(Checker& checker, const std::string& key, const Profile& pr
   if (!checker.sound(key)) return;
   try {
     CompiledProfile compiled(profile);
-    if (!checker.grid) return;
+    if (!checker.grid || !regions_are_sound(checker)) return;
     const Grid& grid = *checker.grid;
-    const bool regions_sound =
-        checker.sound("body.region") &&
-        std::all_of(checker.problem.body.regions.begin(), checker.problem.body.regions.end(),
-                    [&grid](const BodyRegion& region) { return find_fault(region.shape, grid.dimension).empty(); });
-    if (!regions_sound) return;
     const double end = checker.sound("time.end") ? checker.problem.time.end : 0.0;
     for (const double share : {0.0, 0.5, 1.0}) {
-      const int combinations = grid.dimension == 1 ? 3 : grid.dimension == 2 ? 9 : 27;
-      for (int number = 0; number < combinations; ++number) {
-        GridIndex p{};
-        for (int axis = 0, rest = number; axis < grid.dimension; ++axis, rest /= 3) {
-          p[static_cast<std::size_t>(axis)] = rest % 3 * (grid.count(axis) - 1) / 2;
-        }
-        const Point place = grid.position(p);
+      for (const Point& place : sample_places(grid)) {
         if (!is_void(checker.problem, place, slack_of(grid))) compiled(place, share * end);
       }
     }
@@ -40,12 +28,12 @@ void check_component(Checker& checker, const std::string& key, const Profile& pr
   }
 }
 
-/// Does any component depend on t? Those that do not parse have been reported.
-bool any_depends_on_time(const std::vector<Profile>& displacement) {
+/// Does any component depend on t? Unknown if one does not parse, which has been reported.
+std::optional<bool> any_depends_on_time(const std::vector<Profile>& displacement) {
   try {
     return depends_on_time(displacement);
   } catch (const Error&) {
-    return false;
+    return std::nullopt;
   }
 }
 
@@ -59,7 +47,12 @@ void check_displacement(Checker& checker, const DamageOptions& damage) {
         "Give one number or expression per dimension");
   }
   for (std::size_t i = 0; i < displacement.size(); ++i) check_component(checker, entry(key, i), displacement[i]);
-  if (!checker.sound(key) || !checker.sound("damage.every") || !any_depends_on_time(displacement)) return;
+  const std::optional<bool> changes = any_depends_on_time(displacement);
+  if (!checker.sound(key) || !checker.sound("damage.every") || !changes) return;
+  if (!*changes) {
+    if (damage.every) checker.add("damage.every", "displacement does not depend on t, one look is all", "Leave it out");
+    return;
+  }
   if (!damage.every) {
     return checker.add("damage", "displacement depends on t, and every is missing",
                        "Say how often to look at it, e.g. every = \"0.1 s\"");
@@ -72,10 +65,7 @@ void check_table(Checker& checker, const std::string& path) {
   const std::string key = "damage.table";
   if (!checker.grid || checker.grid_stands_in || checker.grid->size() > largest_search) return;
   const Grid& grid = *checker.grid;
-  const bool regions_sound =
-      checker.sound("body.region") &&
-      std::all_of(checker.problem.body.regions.begin(), checker.problem.body.regions.end(),
-                  [&grid](const BodyRegion& region) { return find_fault(region.shape, grid.dimension).empty(); });
+  const bool regions_sound = regions_are_sound(checker);
   DisplacementTable table(path, grid, [&](std::size_t point) {
     return regions_sound && !is_void(checker.problem, grid.position(grid.index(point)), slack_of(grid));
   });

@@ -7,9 +7,6 @@
 #include "peritherm/simulation/checker.hpp"
 
 namespace peritherm {
-namespace {
-
-constexpr double most_outputs = 1e6;  ///< times of one output
 
 bool in_box(const Grid& grid, const Point& place) {
   for (int axis = 0; axis < grid.dimension; ++axis) {
@@ -30,6 +27,10 @@ std::string box_text(const Grid& grid) {
   }
   return text + " m";
 }
+
+namespace {
+
+constexpr double most_outputs = 1e6;  ///< times of one output
 
 /// Does the crack, which must have no fault, stay clear of the body?
 bool misses_body(const Crack& crack, const Grid& grid) {
@@ -81,10 +82,7 @@ void check_kind(Checker& checker, const std::string& key, const ProbeOutput& pro
   }
   const Point place = to_point(probe.at);
   if (!in_box(grid, place)) return checker.add(key + ".at", "the probe is outside the body", box_text(grid));
-  for (const BodyRegion& region : checker.problem.body.regions) {
-    if (!find_fault(region.shape, grid.dimension).empty()) return;
-  }
-  if (checker.sound("body.region") && is_void(checker.problem, place, slack_of(grid))) {
+  if (regions_are_sound(checker) && is_void(checker.problem, place, slack_of(grid))) {
     checker.add(key + ".at", "the probe is in a part that is cut away", "Move it into the body");
   }
 }
@@ -138,12 +136,20 @@ void check_kind(Checker& checker, const std::string& key, const PictureOutput& p
   }
   if (picture.range && (picture.range->size() != 2 || !((*picture.range)[0] < (*picture.range)[1]))) {
     checker.add(key + ".range", "must be the lowest and the highest value", "Write range = [0, 100]");
+  } else if (picture.range && picture.field == FieldName::material) {
+    checker.add(key + ".range", "is for fields of values, not for \"material\"", "Leave it out");
   }
-  if (!picture.at || !checker.grid) return;
+  if (!checker.grid) return;
   const Grid& grid = *checker.grid;
   if (grid.dimension != 3) {
-    return checker.add(key + ".at", "is for slices of 3-D bodies only", "Leave it out");
+    const auto refuse = [&](const char* name) {
+      checker.add(key + name, "is for slices of 3-D bodies only", "Leave it out");
+    };
+    if (picture.at) refuse(".at");
+    if (picture.normal != AxisName::z) refuse(".normal");
+    return;
   }
+  if (!picture.at) return;
   const auto axis = static_cast<std::size_t>(picture.normal);
   Point place = grid.origin;
   place[axis] = *picture.at;
@@ -182,6 +188,37 @@ void check_probe_names(Checker& checker) {
   }
 }
 
+/// Multistep and implicit Runge-Kutta methods take the conductances to be the same at all times.
+void check_crack_growth(Checker& checker, std::string_view integrator) {
+  const auto& cracks = checker.problem.cracks;
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    const bool late = cracks[i].start_time > 0.0 && cracks[i].start_time < checker.problem.time.end;
+    if (!cracks[i].tip_speed && !late) continue;
+    checker.add(entry("crack", i) + (cracks[i].tip_speed ? ".tip_speed" : ".start_time"),
+                "the integrator '" + std::string(integrator) + "' cannot follow cracks that grow or appear",
+                "Choose the integrator \"rkl2\", which can");
+  }
+}
+
+/// The first boundary that makes conduction one-sided, and those that only the bond backend evaluates.
+void check_one_sided(Checker& checker) {
+  if (!checker.sound("boundary") || !checker.sound("nonlocality") || !checker.grid || checker.grid_stands_in) return;
+  const Problem& problem = checker.problem;
+  const BackendName backend = problem.numerics.backend;
+  if (backend != BackendName::automatic && backend != BackendName::bond && needs_bond_backend(problem)) {
+    checker.add("numerics.backend",
+                "'" + std::string(name_of(backend)) +
+                    "' gives all points the bonds of one stencil, which this case's " + "points on faces have not",
+                "Choose \"auto\" or \"bond\", or points = \"centres\"");
+  }
+  if (is_symmetric(problem) || !needs_symmetry(problem.time.integrator)) return;
+  const std::string name =
+      std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
+  checker.add("time.integrator",
+              "'" + name + "' needs bonds that conduct the same both ways, and " + std::string(one_sided_reason),
+              "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
+}
+
 }  // namespace
 
 void check_cracks(Checker& checker) {
@@ -208,45 +245,6 @@ void check_outputs(Checker& checker) {
   check_probe_names(checker);
   check_file_names(checker);
 }
-
-namespace {
-
-/// Multistep and implicit Runge-Kutta methods take the conductances to be the same at all times.
-void check_crack_growth(Checker& checker, std::string_view integrator) {
-  const auto& cracks = checker.problem.cracks;
-  for (std::size_t i = 0; i < cracks.size(); ++i) {
-    const bool late = cracks[i].start_time > 0.0 && cracks[i].start_time < checker.problem.time.end;
-    if (!cracks[i].tip_speed && !late) continue;
-    checker.add(entry("crack", i) + (cracks[i].tip_speed ? ".tip_speed" : ".start_time"),
-                "the integrator '" + std::string(integrator) + "' cannot follow cracks that grow or appear",
-                "Choose the integrator \"rkl2\", which can");
-  }
-}
-
-}  // namespace
-
-namespace {
-
-/// The first boundary that makes conduction one-sided, and those that only the bond backend evaluates.
-void check_one_sided(Checker& checker) {
-  if (!checker.sound("boundary") || !checker.sound("nonlocality") || !checker.grid || checker.grid_stands_in) return;
-  const Problem& problem = checker.problem;
-  const BackendName backend = problem.numerics.backend;
-  if (backend != BackendName::automatic && backend != BackendName::bond && needs_bond_backend(problem)) {
-    checker.add("numerics.backend",
-                "'" + std::string(name_of(backend)) +
-                    "' gives all points the bonds of one stencil, which this case's " + "points on faces have not",
-                "Choose \"auto\" or \"bond\", or points = \"centres\"");
-  }
-  if (is_symmetric(problem) || !needs_symmetry(problem.time.integrator)) return;
-  const std::string name =
-      std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
-  checker.add("time.integrator",
-              "'" + name + "' needs bonds that conduct the same both ways, and " + std::string(one_sided_reason),
-              "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
-}
-
-}  // namespace
 
 void check_numerics(Checker& checker) {
   check_one_sided(checker);

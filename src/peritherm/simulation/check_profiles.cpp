@@ -16,17 +16,10 @@ struct UsedProfile {
   std::optional<Shape> where;
 };
 
-/// First, middle and last point along each axis; on a face for those that are used there.
-std::vector<Point> sample_places(const Grid& grid, const UsedProfile& used) {
+/// Places all over the body; on a face for those that are used there.
+std::vector<Point> places_of_use(const Grid& grid, const UsedProfile& used) {
   std::vector<Point> places;
-  const int combinations = grid.dimension == 1 ? 3 : grid.dimension == 2 ? 9 : 27;
-  for (int number = 0; number < combinations; ++number) {
-    GridIndex index{};
-    int rest = number;
-    for (int axis = 0; axis < grid.dimension; ++axis, rest /= 3) {
-      index[static_cast<std::size_t>(axis)] = rest % 3 * (grid.count(axis) - 1) / 2;
-    }
-    Point place = grid.position(index);
+  for (Point place : sample_places(grid)) {
     if (used.face && axis_of(*used.face) < grid.dimension) {
       const auto across = static_cast<std::size_t>(axis_of(*used.face));
       place[across] = grid.origin[across] + (is_upper(*used.face) ? grid.length(axis_of(*used.face)) : 0.0);
@@ -48,7 +41,7 @@ void check_profile(Checker& checker, const UsedProfile& used) {
     }
     const std::string owner = used.key.substr(0, used.key.rfind('.'));
     if (!shape_is_sound(checker, owner, used.where)) return;
-    for (const Point& place : sample_places(*checker.grid, used)) compiled(place, 0.0);
+    for (const Point& place : places_of_use(*checker.grid, used)) compiled(place, 0.0);
   } catch (const Error& error) {
     checker.add(used.key, error.issues().front().problem, error.issues().front().hint);
   }

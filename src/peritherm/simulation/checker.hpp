@@ -13,8 +13,9 @@ struct Checker {
   const Problem& problem;  ///< with everything filled in that its scheme decides
   const Locations& locations;
   const std::vector<std::string>& broken;  ///< keys that could not be read; rules on them would only echo that
-  std::optional<Grid> grid;                ///< once the body has passed its rules
-  bool grid_stands_in = false;             ///< the body's own cells are wrong; the grid is a coarse one over its box
+  CaseUse use = CaseUse::run;
+  std::optional<Grid> grid;     ///< once the body has passed its rules
+  bool grid_stands_in = false;  ///< the body's own cells are wrong; the grid is a coarse one over its box
   std::vector<Issue> issues;
 
   /// Within this distance of a point a shape counts as containing it: rounding, or a whole cell of a coarse grid [m].
@@ -29,7 +30,7 @@ struct Checker {
 
 /// `find_faults` for a case of which some keys could not be read.
 std::vector<Issue> find_faults(const Problem& problem, const Locations& locations,
-                               const std::vector<std::string>& broken);
+                               const std::vector<std::string>& broken, CaseUse use = CaseUse::run);
 
 void check_body(Checker& checker);       ///< dimension, cells; sets the grid
 void check_materials(Checker& checker);  ///< names
@@ -41,6 +42,12 @@ void check_cracks(Checker& checker);
 void check_damage(Checker& checker);  ///< displacements, and the whole of a table
 void check_outputs(Checker& checker);
 void check_numerics(Checker& checker);
+void check_reduction(Checker& checker);  ///< its own keys, and whether the case can be reduced if it is to be
+
+/// Is the place in the box of the grid?
+bool in_box(const Grid& grid, const Point& place);
+/// "The body reaches in x from 0 to 1, …".
+std::string box_text(const Grid& grid);
 
 /// Sources and boundaries whose shape has no fault are worth a look at their points.
 bool shape_is_sound(const Checker& checker, const std::string& key, const std::optional<Shape>& shape);
@@ -53,11 +60,17 @@ inline std::string count_of(std::size_t entries) {
 /// "body.region" + 2 → "body.region.2".
 std::string entry(const std::string& list, std::size_t index);
 
+/// Could all regions be read, and do they suit the grid, which must be known?
+bool regions_are_sound(const Checker& checker);
+
 /// Material at a place is cut away. The shapes of all regions must be without fault.
 bool is_void(const Problem& problem, const Point& place, double slack);
 
 /// Points on the surface of a shape may be off by rounding.
 inline double slack_of(const Grid& grid) { return 1e-9 * grid.spacing; }
+
+/// First, middle and last point along each axis.
+std::vector<Point> sample_places(const Grid& grid);
 
 /// Grids beyond this are not searched point by point [points]; a search of this many takes about a second.
 inline constexpr std::size_t largest_search = 100'000'000;

@@ -41,7 +41,9 @@ void locate_overrides(const std::vector<AppliedOverride>& overrides, Locations& 
     std::erase_if(locations, [&applied](const auto& entry) {
       return entry.first.size() >= applied.key.size() && keys_touch(entry.first, applied.key);
     });
-    locations[applied.key] = {name_of_override(applied.text), applied.key, 0, 0};
+    for (const std::string& key : {applied.made, applied.key}) {
+      locations[key] = {name_of_override(applied.text), key, 0, 0};
+    }
   }
 }
 

@@ -78,20 +78,22 @@ void put(toml::node& owner, const std::string& part, const std::string& path, to
   value.visit([table, &part](auto& content) { table->insert_or_assign(part, content); });
 }
 
-/// Returns the key that was set.
-std::string apply_override(toml::table& root, const std::string& text) {
+AppliedOverride apply_override(toml::table& root, const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) throw override_error("'" + text + "' sets nothing");
   const std::vector<std::string> parts = split_key(trimmed(std::string_view(text).substr(0, equals)));
   toml::table value = parse_value(std::string(trimmed(std::string_view(text).substr(equals + 1))));
   toml::node* owner = &root;
-  std::string path;
+  std::string path, made;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    const bool is_new = owner->is_table() && !owner->as_table()->contains(parts[i]);
     owner = &step_into(*owner, parts[i], path);
     path = join_path(path, parts[i]);
+    if (is_new && made.empty()) made = path;
   }
   put(*owner, parts.back(), path, *value.get("value"));
-  return join_path(path, parts.back());
+  const std::string key = join_path(path, parts.back());
+  return {text, key, made.empty() ? key : made};
 }
 
 }  // namespace
@@ -103,7 +105,7 @@ std::vector<AppliedOverride> apply_overrides(toml::table& table, const std::vect
   std::vector<AppliedOverride> applied;
   for (const std::string& text : overrides) {
     try {
-      applied.push_back({text, apply_override(table, text)});
+      applied.push_back(apply_override(table, text));
     } catch (const Error& error) {
       Issue issue = error.issues().front();
       issue.where.file = name_of_override(text);

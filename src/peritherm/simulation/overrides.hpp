@@ -8,10 +8,11 @@
 
 namespace peritherm {
 
-/// One "key=value" of the command line, and the key that it set: "crack.0.transmission".
+/// One "key=value" of the command line.
 struct AppliedOverride {
   std::string text;
-  std::string key;
+  std::string key;   ///< that it set: "crack.0.transmission"
+  std::string made;  ///< the outermost that was not there before, or the same
 };
 
 /// Puts the values into the table; later ones win. Those that cannot be put there become issues.

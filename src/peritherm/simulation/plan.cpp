@@ -154,13 +154,10 @@ double expected_fastest_rate(const Problem& problem, const Grid& grid, const Ste
 }
 
 /// What does not depend on the bonds of this very body.
-double memory_of_run(const Problem& problem) {
+double memory_of_run(const Problem& problem, const Stencil& stencil) {
   double bytes =
       bytes_of_fields(problem, std::visit([](const auto& chosen) { return chosen.states; }, problem.time.integrator));
-  if (problem.damage) {
-    const Grid grid = make_grid(problem);
-    bytes += bytes_of_break_search(grid, make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension));
-  }
+  if (problem.damage) bytes += bytes_of_break_search(make_grid(problem), stencil);
   return bytes;
 }
 
@@ -177,10 +174,9 @@ double bytes_of_followers(const Problem& problem, const Grid& grid, const Stenci
 }
 
 /// Known before anything is allocated: corrected bonds are not, but they lie near surfaces and cracks only.
-double memory_estimate(const Problem& problem, BackendName backend, int threads) {
+double memory_estimate(const Problem& problem, const Stencil& stencil, BackendName backend, int threads) {
   const Grid grid = make_grid(problem);
-  const Stencil stencil = make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension);
-  double bytes = memory_of_run(problem) + backend_bytes(problem, backend, stencil.radius, threads) +
+  double bytes = memory_of_run(problem, stencil) + backend_bytes(problem, backend, stencil.radius, threads) +
                  bytes_of_followers(problem, grid, stencil);
   // The field of heating rates, and its derivatives in time.
   bool heats = false, changes = false;
@@ -195,11 +191,9 @@ double memory_estimate(const Problem& problem, BackendName backend, int threads)
 }
 
 /// Threads that the run uses; also tells OpenMP.
-int set_threads(const Problem& problem) {
+int set_threads(const Problem& problem, const Stencil& stencil) {
   int threads = problem.numerics.threads;
   if (threads == 0) {
-    const Grid grid = make_grid(problem);
-    const Stencil stencil = make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension);
     const double work = expect_backend(problem, stencil, 1).evaluation_seconds;
     threads = std::clamp(static_cast<int>(work / least_work_per_thread), 1, omp_get_num_procs());
   }
@@ -212,15 +206,15 @@ int set_threads(const Problem& problem) {
 Prepared prepare(const Problem& given) {
   const Problem problem = resolved(given);
   const Grid grid = make_grid(problem);
-  // Whatever the backend, and before the choice makes anything as large as the grid.
-  refuse_if_too_large(memory_of_run(problem), grid);
-  Prepared prepared{problem, {}, set_threads(problem), 0.0, 0.0};
   const Stencil stencil = make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension);
+  // Whatever the backend, and before the choice makes anything as large as the grid.
+  refuse_if_too_large(memory_of_run(problem, stencil), grid);
+  Prepared prepared{problem, {}, set_threads(problem, stencil), 0.0, 0.0};
   const double evaluations = evaluations_for(problem, problem.time.integrator,
                                              expected_fastest_rate(problem, grid, stencil), grid.spacing, grid.size());
   prepared.choice = choose_backend(problem, stencil, prepared.threads, evaluations);
   prepared.problem.numerics.backend = prepared.choice.backend;
-  prepared.bytes = memory_estimate(prepared.problem, prepared.choice.backend, prepared.threads);
+  prepared.bytes = memory_estimate(prepared.problem, stencil, prepared.choice.backend, prepared.threads);
   prepared.duration = evaluations * prepared.choice.evaluation_seconds;
   refuse_if_too_large(prepared.bytes, grid);
   return prepared;
@@ -249,9 +243,10 @@ Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenS
   plan.integrator_reason = chosen.reason;
   const bool rows = assembly.backend == BackendName::bond;
   plan.memory_bytes =
-      static_cast<std::size_t>(rows ? memory_estimate(problem, assembly.backend, prepared.threads) +
+      static_cast<std::size_t>(rows ? memory_estimate(problem, geometry.stencil, assembly.backend, prepared.threads) +
                                           bytes_per_broken_bond * static_cast<double>(body.broken.size())
-                                    : memory_of_run(problem) + static_cast<double>(assembly.system->bytes())) +
+                                    : memory_of_run(problem, geometry.stencil) +
+                                          static_cast<double>(assembly.system->bytes())) +
       body.broken.bytes();
   estimate_steps(problem, chosen.stepping, assembly, plan);
   plan.duration = plan.evaluations * prepared.choice.evaluation_seconds;

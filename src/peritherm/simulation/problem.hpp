@@ -21,6 +21,7 @@
 #include "peritherm/physics/partial_volume.hpp"
 #include "peritherm/physics/self_term.hpp"
 #include "peritherm/simulation/damage_options.hpp"
+#include "peritherm/simulation/reduction_options.hpp"
 #include "peritherm/simulation/scheme.hpp"
 
 namespace peritherm {
@@ -178,6 +179,7 @@ struct Problem {
   std::vector<BoundaryOptions> boundaries;
   std::vector<Crack> cracks;
   std::optional<DamageOptions> damage;
+  std::optional<ReductionOptions> reduction;
   NumericsOptions numerics;
   TimeOptions time;
   std::vector<OutputOptions> outputs;
@@ -195,6 +197,8 @@ struct Problem {
         optional("boundary", &Problem::boundaries, "conditions; faces without one are insulated"),
         optional("crack", &Problem::cracks, "surfaces that interrupt heat"),
         optional("damage", &Problem::damage, "bonds that break when a given displacement stretches them too far"),
+        optional("reduction", &Problem::reduction,
+                 "how `peritherm reduce` makes a model with few unknowns; `peritherm run` only reads it"),
         optional("numerics", &Problem::numerics, "backend, precision and threads"),
         required("time", &Problem::time, "end and integrator"),
         optional("output", &Problem::outputs, "what is written, and when")};

@@ -18,26 +18,28 @@ void find_files(const std::string& case_file, Problem& problem) {
 
 }  // namespace
 
-ReadCase read_case(std::string_view toml, const std::string& file, const std::vector<std::string>& overrides) {
+ReadCase read_case(std::string_view toml, const std::string& file, const std::vector<std::string>& overrides,
+                   CaseUse use) {
   Document document = read_document(toml, file, overrides, "Begin with format = 1, [body] and [materials.NAME]");
   ReadCase result;
   result.locations = std::move(document.locations);
   Reader reader(result.locations);
   reader.read_table(document.root, "", result.problem);
+  if (use == CaseUse::reduce && !result.problem.reduction) result.problem.reduction.emplace();
   find_files(file, result.problem);
   std::vector<Issue> issues = std::move(document.issues);
   issues.insert(issues.end(), reader.issues().begin(), reader.issues().end());
   std::vector<std::string> broken;
   for (const Issue& issue : reader.issues()) broken.push_back(issue.where.key);
-  const std::vector<Issue> faults = find_faults(result.problem, result.locations, broken);
+  const std::vector<Issue> faults = find_faults(result.problem, result.locations, broken, use);
   issues.insert(issues.end(), faults.begin(), faults.end());
   sort_by_place(issues);
   if (!issues.empty()) throw Error(std::move(issues));
   return result;
 }
 
-ReadCase read_case_file(const std::string& path, const std::vector<std::string>& overrides) {
-  return read_case(read_text_file(path), path, overrides);
+ReadCase read_case_file(const std::string& path, const std::vector<std::string>& overrides, CaseUse use) {
+  return read_case(read_text_file(path), path, overrides, use);
 }
 
 }  // namespace peritherm

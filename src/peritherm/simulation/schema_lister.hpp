@@ -118,7 +118,7 @@ class SchemaLister {
 
   template <class Value>
   void list_inside(const std::string& path, int depth) {
-    if constexpr (is_optional<Value>) {
+    if constexpr (is_optional<Value> || is_list_of_tables<Value>) {
       list_inside<typename Value::value_type>(path, depth);
     } else if constexpr (is_choice<Value>) {
       if (!listed_.emplace(typeid(Value), path).second) {

@@ -4,15 +4,15 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <regex>
-#include <sstream>
 
 #include "peritherm/base/file.hpp"
 #include "peritherm/base/version.hpp"
 #include "peritherm/discretisation/damage.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/memory.hpp"
+#include "peritherm/simulation/not_finite.hpp"
 #include "peritherm/simulation/plan.hpp"
+#include "peritherm/simulation/result_folder.hpp"
 #include "peritherm/simulation/schedule.hpp"
 #include "peritherm/simulation/summary.hpp"
 #include "peritherm/simulation/write.hpp"
@@ -143,60 +143,6 @@ class Gallery {
   std::optional<CutBonds> cuts_;
 };
 
-[[noreturn]] void report_not_finite(const Assembly& assembly, ConstField state, double time) {
-  const Grid& grid = assembly.geometry.body.grid;
-  std::ostringstream text;
-  text << "the temperature is not finite at t = " << time << " s";
-  for (std::size_t n = 0; n < grid.size(); ++n) {
-    const GridIndex p = grid.index(n);
-    if (std::isfinite(state[assembly.layout.entry(p)])) continue;
-    const Point x = grid.position(p);
-    text << ", first at (" << x[0];
-    for (int axis = 1; axis < grid.dimension; ++axis) text << ", " << x[axis];
-    text << ") m";
-    break;
-  }
-  throw Error(text.str(), "Look at sources, boundary values and initial temperatures near that place and time",
-              Fault::numerics);
-}
-
-void remove_file(const std::filesystem::path& path) {
-  std::error_code failure;
-  std::filesystem::remove(path, failure);
-  if (failure) throw Error("cannot remove the older '" + path.string() + "'", failure.message(), Fault::machine);
-}
-
-/// What earlier runs wrote and this one may not; other files in the folder are left alone.
-void remove_old_results(const std::filesystem::path& folder) {
-  for (const char* name : {"resolved.toml", "summary.json", "probes.csv", "energy.csv", "fields.pvd"}) {
-    remove_file(folder / name);
-  }
-  const std::regex field("[0-9]{4,}\\.vti"), picture(".*_[0-9]{4,}\\.png");
-  for (const auto& [part, pattern] : {std::pair{"fields", &field}, std::pair{"pictures", &picture}}) {
-    if (!std::filesystem::is_directory(folder / part)) continue;
-    std::vector<std::filesystem::path> old;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / part)) {
-      if (std::regex_match(entry.path().filename().string(), *pattern)) old.push_back(entry.path());
-    }
-    for (const std::filesystem::path& path : old) remove_file(path);
-  }
-}
-
-void prepare_folder(const RunSettings& settings) {
-  std::error_code failure;
-  const bool exists = std::filesystem::exists(settings.folder, failure);
-  if (exists && !std::filesystem::is_directory(settings.folder, failure)) {
-    throw Error("'" + settings.folder.string() + "' is a file, not a folder for results",
-                "Choose another folder with --output", Fault::machine);
-  }
-  if (exists && !settings.overwrite && !std::filesystem::is_empty(settings.folder, failure)) {
-    throw Error("the folder '" + settings.folder.string() + "' already holds files",
-                "Choose another one with --output, or replace its results with --overwrite", Fault::machine);
-  }
-  make_folder(settings.folder);
-  remove_old_results(settings.folder);
-}
-
 /// The march from output time to output time.
 class March {
  public:
@@ -307,7 +253,8 @@ RunSummary run(const Problem& given, const RunSettings& settings) {
   summary.plan = make_plan(prepared, assembly, chosen);
   // A run that cannot begin, for its step or its start, must neither remove results nor leave a folder behind.
   March march(problem, settings, chosen.stepping, assembly, summary);
-  prepare_folder(settings);
+  open_result_folder(settings.folder, settings.overwrite);
+  remove_old_results(settings.folder);
   if (settings.on_plan) settings.on_plan(summary.plan);
   write_file(settings.folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +
                                                     "; running it again reproduces the run.\n" +

@@ -71,20 +71,28 @@ double patch_slope(const Slab& slab, double place, double x, double t) {
 /// ∫_u^∞ erfc.
 double integrated_erfc(double u) { return std::exp(-u * u) / std::sqrt(pi) - u * std::erfc(u); }
 
+/// Σ image(place) over the images of the end at L, at L, 3L, …, which alternate in sign.
+template <class Image>
+double sum_of_end_images(const Slab& slab, Image&& image) {
+  double sum = 0.0;
+  for (int n = 0; n <= 4; ++n) {
+    const double value = image((2 * n + 1) * slab.length);
+    sum += n % 2 == 0 ? value : -value;
+  }
+  return sum;
+}
+
 /// Held at 0 at x = 0, slope 1 at x = L, start 0.
 double unit_gradient(const Slab& slab, double x, double t) {
   if (t <= 0.0) return 0.0;
   const double fourier = fourier_number(slab, t);
-  double sum = 0.0;
   if (fourier < late) {
     const double width = 2.0 * std::sqrt(slab.diffusivity * t);
-    for (int n = 0; n <= 4; ++n) {
-      const double place = (2 * n + 1) * slab.length;
-      const double image = integrated_erfc((place - x) / width) - integrated_erfc((place + x) / width);
-      sum += n % 2 == 0 ? width * image : -width * image;
-    }
-    return sum;
+    return sum_of_end_images(slab, [&](double place) {
+      return width * (integrated_erfc((place - x) / width) - integrated_erfc((place + x) / width));
+    });
   }
+  double sum = 0.0;
   for (int n = 1; decay(n, fourier) > negligible; n += 2) {
     const double amplitude = (n % 4 == 1 ? 8.0 : -8.0) * slab.length / (n * n * pi * pi);
     sum += amplitude * std::sin(0.5 * n * pi * x / slab.length) * decay(n, fourier);
@@ -96,16 +104,12 @@ double unit_gradient(const Slab& slab, double x, double t) {
 double unit_gradient_slope(const Slab& slab, double x, double t) {
   if (t <= 0.0) return 0.0;
   const double fourier = fourier_number(slab, t);
-  double sum = 0.0;
   if (fourier < late) {
     const double width = 2.0 * std::sqrt(slab.diffusivity * t);
-    for (int n = 0; n <= 4; ++n) {
-      const double place = (2 * n + 1) * slab.length;
-      const double image = std::erfc((place - x) / width) + std::erfc((place + x) / width);
-      sum += n % 2 == 0 ? image : -image;
-    }
-    return sum;
+    return sum_of_end_images(
+        slab, [&](double place) { return std::erfc((place - x) / width) + std::erfc((place + x) / width); });
   }
+  double sum = 0.0;
   for (int n = 1; decay(n, fourier) > negligible; n += 2) {
     sum += (n % 4 == 1 ? 4.0 : -4.0) / (n * pi) * std::cos(0.5 * n * pi * x / slab.length) * decay(n, fourier);
   }

@@ -79,10 +79,14 @@ std::optional<CurveCrossing> find_crossing(const std::array<double, 3>& ratios, 
   std::optional<CurveCrossing> found;
   for (const double root : real_roots(parabola(ratios, difference))) {
     if (!(root > 0.0) || !std::isfinite(root) || (found && root >= found->ratio)) continue;
-    const std::array<double, 3> c = parabola(ratios, first);
-    found = CurveCrossing{root, c[0] + root * (c[1] + root * c[2])};
+    found = CurveCrossing{root, parabola_at(ratios, first, root)};
   }
   return found;
+}
+
+double parabola_at(const std::array<double, 3>& ratios, const std::array<double, 3>& temperatures, double ratio) {
+  const std::array<double, 3> c = parabola(ratios, temperatures);
+  return c[0] + ratio * (c[1] + ratio * c[2]);
 }
 
 double IntersectionResult::cost() const {
@@ -102,19 +106,21 @@ std::vector<RunChoice> intersection_choices(const IntersectionOptions& options) 
   return choices;
 }
 
-std::vector<Problem> intersection_problems(const ReadStudy& read, std::size_t variant) {
-  std::vector<Problem> problems;
+std::vector<StudyRun> intersection_runs(const ReadStudy& read, std::size_t variant) {
+  std::vector<StudyRun> runs;
   for (const RunChoice& choice : intersection_choices(*read.study.intersection)) {
-    problems.push_back(apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back()));
+    runs.push_back(describe_run(
+        apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back()), variant));
   }
-  return problems;
+  return runs;
 }
 
-Problem rerun_problem(const ReadStudy& read, std::size_t variant, double ratio) {
+StudyRun rerun_at(const ReadStudy& read, std::size_t variant, double ratio) {
   RunChoice choice;
-  choice.cells = read.study.intersection->cells.value_or(default_places);
+  choice.cells = read.study.intersection->cells;
   choice.horizon_ratio = ratio;
-  return apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back());
+  return describe_run(apply_choice(read.cases[variant], choice, read.study.tolerance, read.study.times.back()),
+                      variant);
 }
 
 IntersectionResult find_crossings(const ReadStudy& read, std::size_t variant, const std::vector<Solution>& coarse) {

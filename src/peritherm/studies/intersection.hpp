@@ -22,6 +22,9 @@ struct CurveCrossing {
 std::optional<CurveCrossing> find_crossing(const std::array<double, 3>& ratios, const std::array<double, 3>& first,
                                            const std::array<double, 3>& second);
 
+/// The parabola through three temperatures at another ratio.
+double parabola_at(const std::array<double, 3>& ratios, const std::array<double, 3>& temperatures, double ratio);
+
 /// The curves of two horizons at a place and time.
 struct LocatedCrossing {
   Point place{};
@@ -57,12 +60,12 @@ struct IntersectionResult {
 std::vector<RunChoice> intersection_choices(const IntersectionOptions& options);
 
 /// Runs of the strategy for one variant: the six coarse ones, then the single one if there is one.
-std::vector<Problem> intersection_problems(const ReadStudy& study, std::size_t variant);
+std::vector<StudyRun> intersection_runs(const ReadStudy& study, std::size_t variant);
 
-/// The rerun at the crossing's ratio.
-Problem rerun_problem(const ReadStudy& study, std::size_t variant, double ratio);
+/// The rerun at the crossing's ratio, with the cells that the study names for it.
+StudyRun rerun_at(const ReadStudy& study, std::size_t variant, double ratio);
 
-/// Crossings from the six solutions, in the order of `intersection_problems`.
+/// Crossings from the six solutions, in the order of `intersection_runs`.
 IntersectionResult find_crossings(const ReadStudy& study, std::size_t variant, const std::vector<Solution>& coarse);
 
 RunQuality judge(const ReadStudy& study, const Solution& solution, double ratio);

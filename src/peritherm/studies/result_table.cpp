@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -17,9 +16,7 @@ constexpr std::array<std::string_view, 3> axis_columns{"x", "y", "z"};
 
 std::vector<std::string> split_line(const std::string& line) {
   std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) {
-    std::string_view text = trimmed(cell);
+  for (std::string_view text : split_at_commas(line)) {
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
     cells.emplace_back(text);
   }
@@ -63,13 +60,9 @@ TableColumns find_columns(const std::vector<std::string>& names, const std::stri
 }
 
 double table_number(const std::string& text, const std::string& path, int line) {
-  double value = 0.0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw Error("'" + path + "', line " + std::to_string(line) + ": '" + text + "' is no number",
-                "Every line after the first holds numbers only");
-  }
-  return value;
+  if (const std::optional<double> value = finite_number(text)) return *value;
+  throw Error("'" + path + "', line " + std::to_string(line) + ": '" + text + "' is no number",
+              "Every line after the first holds numbers only");
 }
 
 }  // namespace

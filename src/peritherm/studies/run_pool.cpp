@@ -13,7 +13,6 @@
 
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/memory.hpp"
-#include "peritherm/simulation/plan.hpp"
 
 namespace peritherm {
 namespace {
@@ -22,6 +21,7 @@ namespace {
 struct PendingRun {
   std::size_t number = 0;  ///< in the list of problems
   std::string key;
+  Prepared prepared;  ///< for one thread
   double bytes = 0.0;
   double kept = 0.0;  ///< part of the bytes that its solution goes on holding
   double cost = 0.0;  ///< [s] by one thread
@@ -78,7 +78,7 @@ class RunPool {
     std::map<std::string, std::size_t> known;
     double copied = 0.0;
     for (std::size_t n = 0; n < problems_.size(); ++n) {
-      PendingRun run{n, run_key(problems_[n], times_), 0.0, 0.0, 0.0};
+      PendingRun run{n, run_key(problems_[n], times_), {}, 0.0, 0.0, 0.0};
       if (const auto [place, added] = known.emplace(run.key, n); !added) {
         copies_.emplace_back(n, place->second);
         copied += bytes_of_solution(n);
@@ -104,10 +104,12 @@ class RunPool {
   /// False if the run cannot be made at all.
   bool estimate(PendingRun& run) {
     try {
-      const Prepared prepared = prepare(with_threads(run.number, 1));
+      Problem problem = problems_[run.number];
+      problem.numerics.threads = 1;
+      run.prepared = prepare_to_solve(std::move(problem), times_);
       run.kept = bytes_of_solution(run.number);
-      run.bytes = prepared.bytes + run.kept;
-      run.cost = prepared.duration + 1e-3;
+      run.bytes = run.prepared.bytes + run.kept;
+      run.cost = run.prepared.duration + 1e-3;
       return true;
     } catch (const Error& error) {
       fail(run.number, error);
@@ -117,13 +119,6 @@ class RunPool {
 
   double bytes_of_solution(std::size_t number) const {
     return static_cast<double>(make_grid(problems_[number]).size() * times_.size() * sizeof(double));
-  }
-
-  Problem with_threads(std::size_t number, int threads) const {
-    Problem problem = problems_[number];
-    problem.numerics.threads = threads;
-    problem.time.end = times_.back();
-    return problem;
   }
 
   void fail(std::size_t number, const Error& error) {
@@ -143,15 +138,16 @@ class RunPool {
         changed_.wait(lock);
         continue;
       }
-      const PendingRun run = *next;
+      PendingRun run = std::move(*next);
       // With fewer runs left than threads, they share them.
       const int threads = std::max(1, free_threads_ / static_cast<int>(pending_.size()));
+      run.prepared.threads = threads;
       pending_.erase(next);
       ++running_;
       free_threads_ -= threads;
       free_memory_ -= run.bytes;
       lock.unlock();
-      RunResult result = make(run, threads);
+      RunResult result = make(run);
       lock.lock();
       --running_;
       free_threads_ += threads;
@@ -166,10 +162,10 @@ class RunPool {
     }
   }
 
-  RunResult make(const PendingRun& run, int threads) const {
+  RunResult make(const PendingRun& run) const {
     RunResult result;
     try {
-      Solution solution = solve(with_threads(run.number, threads), times_, settings_.stop_requested);
+      Solution solution = solve(run.prepared, times_, settings_.stop_requested);
       // A stopped run has not reached all of its times.
       if (solution.times.size() < times_.size()) return result;
       result.solution = std::move(solution);

@@ -12,21 +12,16 @@
 namespace peritherm {
 namespace {
 
-/// Numbers of runs of one variant in the list of problems.
-using RunNumbers = std::vector<std::size_t>;
-
 /// A run that is made again to see the error of the time integration.
 struct TimeCheck {
-  std::size_t run = 0;  ///< number in the list of problems
-  std::size_t variant = 0;
-  Problem problem;
+  std::size_t run = 0;  ///< number in the list of runs
+  StudyRun again;
   std::string how;
 };
 
 /// The same run, more exact in time; nothing if it has no means to be.
-std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t run, std::size_t variant,
-                                         const Problem& problem) {
-  TimeCheck check{run, variant, problem, {}};
+std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t number, const StudyRun& run) {
+  TimeCheck check{number, run, {}};
   const bool changed = std::visit(
       [&](auto& options) {
         if constexpr (requires { options.relative_tolerance; }) {
@@ -43,30 +38,26 @@ std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t run,
           return false;
         }
       },
-      check.problem.time.integrator);
+      check.again.problem.time.integrator);
   return changed ? std::optional(std::move(check)) : std::nullopt;
 }
 
-/// Of each variant the run in the middle, by its number of points: neither the cheapest nor the dearest.
-std::vector<TimeCheck> make_time_checks(const ReadStudy& read, const std::vector<Problem>& problems,
-                                        std::size_t per_variant) {
+/// Of each variant the run in the middle, by its number of points: neither the cheapest nor the dearest. Of an
+/// intersection alone: of its coarse runs.
+std::vector<TimeCheck> make_time_checks(const ReadStudy& read, const std::vector<StudyRun>& runs) {
   std::vector<TimeCheck> checks;
   if (!read.study.vary.time_steps.empty()) return checks;
   for (std::size_t v = 0; v < read.cases.size(); ++v) {
-    RunNumbers runs;
-    for (std::size_t n = 0; n < read.runs.size(); ++n) {
-      if (read.runs[n].variant == v) runs.push_back(n);
+    std::vector<std::size_t> numbers;
+    for (std::size_t n = 0; n < (read.runs.empty() ? runs.size() : read.runs.size()); ++n) {
+      if (runs[n].variant == v && (!read.runs.empty() || numbers.size() < 6)) numbers.push_back(n);
     }
-    // An intersection alone: its coarse runs.
-    for (std::size_t k = 0; read.runs.empty() && per_variant > 0 && k < 6; ++k) {
-      runs.push_back(read.runs.size() + v * per_variant + k);
-    }
-    if (runs.empty()) continue;
-    std::stable_sort(runs.begin(), runs.end(), [&problems](std::size_t a, std::size_t b) {
-      return make_grid(problems[a]).size() < make_grid(problems[b]).size();
+    if (numbers.empty()) continue;
+    std::stable_sort(numbers.begin(), numbers.end(), [&runs](std::size_t a, std::size_t b) {
+      return make_grid(runs[a].problem).size() < make_grid(runs[b].problem).size();
     });
-    const std::size_t middle = runs[(runs.size() - 1) / 2];
-    if (auto check = make_time_check(read, middle, v, problems[middle])) checks.push_back(std::move(*check));
+    const std::size_t middle = numbers[(numbers.size() - 1) / 2];
+    if (auto check = make_time_check(read, middle, runs[middle])) checks.push_back(std::move(*check));
   }
   return checks;
 }
@@ -82,14 +73,13 @@ class StudyRunner {
       : read_(read), settings_(settings), cache_(settings.folder / "runs"), summary_(summary) {}
 
   void go() {
-    std::vector<Problem> problems;
-    for (const StudyRun& run : read_.runs) problems.push_back(run.problem);
-    const std::size_t per_variant = append_intersections(problems);
-    const std::vector<TimeCheck> checks = make_time_checks(read_, problems, per_variant);
-    const auto first_check = static_cast<std::ptrdiff_t>(problems.size());
-    for (const TimeCheck& check : checks) problems.push_back(check.problem);
-    std::vector<RunResult> results = solve(problems);
-    note_time_errors(checks, problems, results);
+    std::vector<StudyRun> runs = read_.runs;
+    const std::size_t per_variant = append_intersections(runs);
+    const std::vector<TimeCheck> checks = make_time_checks(read_, runs);
+    const auto first_check = static_cast<std::ptrdiff_t>(runs.size());
+    for (const TimeCheck& check : checks) runs.push_back(check.again);
+    std::vector<RunResult> results = solve(runs);
+    note_time_errors(checks, runs, results);
     const auto own = static_cast<std::ptrdiff_t>(read_.runs.size());
     std::vector<RunResult> coarse(std::make_move_iterator(results.begin() + own),
                                   std::make_move_iterator(results.begin() + first_check));
@@ -102,7 +92,9 @@ class StudyRunner {
   bool stopped() const { return settings_.pool.stop_requested && settings_.pool.stop_requested(); }
 
  private:
-  std::vector<RunResult> solve(const std::vector<Problem>& problems) {
+  std::vector<RunResult> solve(const std::vector<StudyRun>& runs) {
+    std::vector<Problem> problems;
+    for (const StudyRun& run : runs) problems.push_back(run.problem);
     std::vector<RunResult> results = solve_all(problems, read_.study.times, cache_, settings_.pool);
     std::size_t lost = 0;
     std::string reason;
@@ -111,7 +103,7 @@ class StudyRunner {
       if (!results[n].not_kept.empty() && ++lost == 1) reason = results[n].not_kept;
       summary_.reused += results[n].reused ? 1 : 0;
       if (results[n].failure.empty()) continue;
-      const std::string name = run_name(read_.study, describe_run(problems[n]));
+      const std::string name = run_name(read_.study, runs[n]);
       note_failure("the run with " + name + " failed: " + results[n].failure, results[n].fault);
     }
     if (lost > 0) {
@@ -127,25 +119,23 @@ class StudyRunner {
     }
   }
 
-  std::size_t append_intersections(std::vector<Problem>& problems) const {
+  std::size_t append_intersections(std::vector<StudyRun>& runs) const {
     std::size_t count = 0;
     for (std::size_t v = 0; read_.study.intersection && v < read_.cases.size(); ++v) {
-      std::vector<Problem> own = intersection_problems(read_, v);
+      const std::vector<StudyRun> own = intersection_runs(read_, v);
       count = own.size();
-      problems.insert(problems.end(), own.begin(), own.end());
+      runs.insert(runs.end(), own.begin(), own.end());
     }
     return count;
   }
 
-  void note_time_errors(const std::vector<TimeCheck>& checks, const std::vector<Problem>& problems,
+  void note_time_errors(const std::vector<TimeCheck>& checks, const std::vector<StudyRun>& runs,
                         const std::vector<RunResult>& results) {
-    const std::size_t first_check = problems.size() - checks.size();
+    const std::size_t first_check = runs.size() - checks.size();
     for (std::size_t k = 0; k < checks.size(); ++k) {
       const std::size_t run = checks[k].run;
       if (!results[run].solution || !results[first_check + k].solution) continue;
-      StudyRun described = run < read_.runs.size() ? read_.runs[run] : describe_run(problems[run]);
-      described.variant = checks[k].variant;
-      summary_.time_errors.push_back({run_name(read_.study, described),
+      summary_.time_errors.push_back({run_name(read_.study, runs[run]),
                                       largest_difference(*results[run].solution, *results[first_check + k].solution),
                                       checks[k].how});
     }
@@ -153,7 +143,7 @@ class StudyRunner {
 
   /// `per_variant` results for each variant: the six coarse runs, and the single one if there is one.
   void intersect(const std::vector<RunResult>& results, std::size_t per_variant) {
-    std::vector<Problem> reruns;
+    std::vector<StudyRun> reruns;
     std::vector<std::size_t> of_result;
     for (std::size_t v = 0; v < read_.cases.size(); ++v) {
       const std::span<const RunResult> own(results.data() + v * per_variant, per_variant);
@@ -167,7 +157,7 @@ class StudyRunner {
       if (!result.chosen.crossing) {
         note_failure(missing_crossing(read_, result), Fault::numerics);
       } else if (read_.study.intersection->cells) {
-        reruns.push_back(rerun_problem(read_, v, result.chosen.crossing->ratio));
+        reruns.push_back(rerun_at(read_, v, result.chosen.crossing->ratio));
         of_result.push_back(summary_.intersections.size());
       }
       summary_.intersections.push_back(std::move(result));

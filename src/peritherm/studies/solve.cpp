@@ -1,15 +1,15 @@
 #include "peritherm/studies/solve.hpp"
 
+#include <omp.h>
+
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
-#include "peritherm/base/error.hpp"
 #include "peritherm/output/interpolation.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
-#include "peritherm/simulation/plan.hpp"
+#include "peritherm/simulation/not_finite.hpp"
 
 namespace peritherm {
 namespace {
@@ -24,32 +24,21 @@ std::vector<double> points_of(const Assembly& assembly, ConstField state) {
   return values;
 }
 
-[[noreturn]] void refuse_temperature(const Grid& grid, std::size_t point, double time) {
-  const Point x = grid.position(grid.index(point));
-  std::ostringstream text;
-  text << "the temperature is not finite at t = " << time << " s, first at (" << x[0];
-  for (int axis = 1; axis < grid.dimension; ++axis) text << ", " << x[axis];
-  text << ") m";
-  throw Error(text.str(), "Look at sources, boundary values and initial temperatures near that place and time",
-              Fault::numerics);
-}
-
 /// Keeps the temperatures of every point at each time.
 class Recorder {
  public:
   Recorder(Assembly& assembly, Solution& solution) : assembly_(assembly), solution_(solution) {}
 
-  bool operator()(double time, Field state) {
+  void operator()(double time, Field state) {
     assembly_.system->begin_step(time, time);
     assembly_.system->fill(time, state);
     solution_.temperatures.push_back(points_of(assembly_, state));
     const Body& body = assembly_.geometry.body;
     for (std::size_t n = 0; n < body.grid.size(); ++n) {
       if (body.material_of[n] == no_material || std::isfinite(solution_.temperatures.back()[n])) continue;
-      refuse_temperature(body.grid, n, time);
+      report_not_finite(assembly_, state, time);
     }
     solution_.times.push_back(time);
-    return true;
   }
 
  private:
@@ -63,12 +52,20 @@ double Solution::at(std::size_t time, const Point& place) const {
   return interpolate(grid, temperatures.at(time), place);
 }
 
-Solution solve(const Problem& given, std::span<const double> times, const std::function<bool()>& stop_requested) {
-  Problem problem = given;
+Prepared prepare_to_solve(Problem problem, std::span<const double> times) {
   if (!times.empty() && times.back() > 0.0) problem.time.end = times.back();
   problem.outputs.clear();
   check(problem);
-  problem = prepare(problem).problem;
+  return prepare(problem);
+}
+
+Solution solve(const Problem& problem, std::span<const double> times, const std::function<bool()>& stop_requested) {
+  return solve(prepare_to_solve(problem, times), times, stop_requested);
+}
+
+Solution solve(const Prepared& prepared, std::span<const double> times, const std::function<bool()>& stop_requested) {
+  const Problem& problem = prepared.problem;
+  omp_set_num_threads(prepared.threads);  // Each thread of the program has a number of its own.
   const auto start = std::chrono::steady_clock::now();
   Assembly assembly = assemble(problem);
   Solution solution;
@@ -85,10 +82,12 @@ Solution solve(const Problem& given, std::span<const double> times, const std::f
   solution.integrator = std::visit([](const auto& options) { return std::string(options.name); }, chosen.stepping);
   const auto integrator = make_integrator(chosen.stepping, *assembly.system);
   const auto goes_on = [&stop_requested] { return !stop_requested || !stop_requested(); };
-  integrator->march(
-      0.0, later, state,
-      {[&](double, ConstField) { return goes_on(); },
-       [&](double now, Field field) { return record(now, field) && goes_on(); }, [&](double) { return goes_on(); }});
+  const auto arrive = [&](double now, Field field) {
+    record(now, field);
+    return goes_on();
+  };
+  integrator->march(0.0, later, state,
+                    {[&](double, ConstField) { return goes_on(); }, arrive, [&](double) { return goes_on(); }});
   solution.count = integrator->count();
   solution.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return solution;

@@ -7,7 +7,7 @@
 
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/integrators/integrator.hpp"
-#include "peritherm/simulation/problem.hpp"
+#include "peritherm/simulation/plan.hpp"
 
 namespace peritherm {
 
@@ -25,10 +25,17 @@ struct Solution {
   double at(std::size_t time, const Point& place) const;
 };
 
-/// Marches a problem through times (ascending, from 0 on) without writing files; `problem.time.end` and its outputs
-/// do not matter. `stop_requested` is asked after each step; true ends the march with fewer times.
-/// Throws Error with every fault of the problem, and (Fault::numerics) with place and time where a temperature is not
-/// finite.
+/// Checks a problem that is to be marched through times (ascending, from 0 on), and chooses its backend; its
+/// `time.end` and its outputs do not matter. Throws Error with every fault of the problem.
+Prepared prepare_to_solve(Problem problem, std::span<const double> times);
+
+/// Marches through the times it was prepared for, by `prepared.threads` threads, without writing files.
+/// `stop_requested` is asked after each step; true ends the march with fewer times.
+/// Throws Error (Fault::numerics) with place and time where a temperature is not finite.
+Solution solve(const Prepared& prepared, std::span<const double> times,
+               const std::function<bool()>& stop_requested = {});
+
+/// Prepares and marches.
 Solution solve(const Problem& problem, std::span<const double> times, const std::function<bool()>& stop_requested = {});
 
 }  // namespace peritherm

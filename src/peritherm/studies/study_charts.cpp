@@ -73,18 +73,6 @@ void add_references(Chart& chart, const std::vector<double>& references) {
   chart.curves.push_back(level("reference", low, high, *most));
 }
 
-double parabola_at(const std::vector<double>& m, const std::array<double, 3>& values, double at) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double basis = 1.0;
-    for (std::size_t l = 0; l < 3; ++l) {
-      if (l != k) basis *= (at - m[l]) / (m[k] - m[l]);
-    }
-    sum += values[k] * basis;
-  }
-  return sum;
-}
-
 std::string horizon_name(double horizon) {
   const Unit unit = length_unit(horizon);
   return "horizon " + rounded_text(horizon / unit.size, 4) + ' ' + std::string(unit.symbol);
@@ -205,17 +193,18 @@ Chart crossing_chart(const ReadStudy& read, const IntersectionResult& result) {
   if (read.study.variants.size() > 1) chart.title += ", " + result.variant;
   chart.x.label = "horizon ratio m";
   chart.y.label = "temperature";
-  const auto [least, most] = std::minmax_element(options.horizon_ratios.begin(), options.horizon_ratios.end());
+  const std::vector<double>& m = options.horizon_ratios;
+  const auto [least, most] = std::minmax_element(m.begin(), m.end());
   for (std::size_t h = 0; h < 2; ++h) {
     const std::array<double, 3>& values = h == 0 ? at.first : at.second;
     const int colour = static_cast<int>(h);
     Curve line{horizon_name(options.horizons[h]), {}, {}, CurveStyle::line, colour};
     for (int n = 0; n <= parabola_places; ++n) {
       line.x.push_back(*least + (*most - *least) * n / parabola_places);
-      line.y.push_back(parabola_at(options.horizon_ratios, values, line.x.back()));
+      line.y.push_back(parabola_at({m[0], m[1], m[2]}, values, line.x.back()));
     }
     chart.curves.push_back(std::move(line));
-    chart.curves.push_back({"", options.horizon_ratios, {values.begin(), values.end()}, CurveStyle::dots, colour});
+    chart.curves.push_back({"", m, {values.begin(), values.end()}, CurveStyle::dots, colour});
   }
   if (at.crossing) {
     chart.curves.push_back({"they cross at m = " + rounded_text(at.crossing->ratio, 4),

@@ -93,6 +93,18 @@ void add_case_issues(StudyChecker& checker, std::size_t variant, const std::vect
   }
 }
 
+/// A steady state has no times: it would stand in the tables again and again.
+void check_steady_times(StudyChecker& checker) {
+  if (!checker.sound("times")) return;
+  const std::vector<double>& times = checker.read.study.times;
+  if (std::count_if(times.begin(), times.end(), [](double time) { return time > 0.0; }) < 2) return;
+  for (const Problem& problem : checker.read.cases) {
+    if (!std::holds_alternative<SteadyState>(problem.time.integrator)) continue;
+    return checker.add("times", "has several, but the case's integrator 'steady' has one answer for all of them",
+                       "Keep one time, or choose another integrator");
+  }
+}
+
 }  // namespace
 
 bool StudyChecker::sound(std::string_view key) const {
@@ -114,8 +126,10 @@ void check_study_lists(StudyChecker& checker) {
   check_names(checker);
   sort_times(checker);
   Study& study = checker.read.study;
-  if (study.norms.empty() && checker.sound("norms"))
-    checker.add("norms", "is empty", "Name at least one, or leave it out");
+  if (checker.sound("norms")) {
+    refuse_doubles(checker, "norms", study.norms);
+    if (study.norms.empty()) checker.add("norms", "is empty", "Name at least one, or leave it out");
+  }
   if (study.variants.empty()) study.variants.push_back({"case", {}});
 }
 
@@ -141,6 +155,7 @@ void read_study_cases(StudyChecker& checker) {
   if (checker.read.study.times.empty() && checker.sound("times")) {
     checker.read.study.times.push_back(checker.read.cases.front().time.end);
   }
+  check_steady_times(checker);
   for (const Problem& problem : checker.read.cases) {
     if (problem.body.size.size() == checker.read.cases.front().body.size.size()) continue;
     checker.add("variant", "the variants differ in their dimension", "Make a study for each");

@@ -32,6 +32,7 @@ void read_study_cases(StudyChecker& checker);       ///< the case with each vari
 void check_study_places(StudyChecker& checker);     ///< where errors are taken, probes
 void check_study_reference(StudyChecker& checker);  ///< after the cases
 void check_intersection(StudyChecker& checker);
-void make_study_runs(StudyChecker& checker);  ///< and checks each of them
+void make_study_runs(StudyChecker& checker);      ///< and checks each of them
+void check_where_of_runs(StudyChecker& checker);  ///< after all others
 
 }  // namespace peritherm

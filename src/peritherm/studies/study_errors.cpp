@@ -45,7 +45,26 @@ std::vector<Point> asked_places(const ReadStudy& read, const Grid& grid, std::si
   return places;
 }
 
+/// Does the study's shape, if it has one, hold the place?
+bool is_asked(const ReadStudy& read, const Grid& grid, const Point& place) {
+  return !read.study.where || contains(*read.study.where, place, 1e-9 * grid.spacing);
+}
+
 }  // namespace
+
+bool has_places(const ReadStudy& read, const Grid& grid) {
+  for (std::size_t time = 0; read.table && time < read.study.times.size(); ++time) {
+    for (const Point& place : asked_places(read, grid, time)) {
+      if (is_asked(read, grid, place)) return true;
+    }
+  }
+  if (read.table) return false;
+  // One by one: a list of all points would be as large as the body.
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    if (is_asked(read, grid, grid.position(grid.index(n)))) return true;
+  }
+  return false;
+}
 
 double slack_of_places(const ReadStudy& read) {
   const Grid grid = make_grid(read.cases.front());
@@ -73,7 +92,7 @@ ComparedTemperatures compare(const ReadStudy& read, const Solution& solution, st
   const TemperatureAt exact = is_exact ? exact_for(read, solution.horizon) : TemperatureAt{};
   const double moment = read.study.times[time];
   for (std::size_t n = 0; n < asked.size(); ++n) {
-    if (read.study.where && !contains(*read.study.where, asked[n], 1e-9 * grid.spacing)) continue;
+    if (!is_asked(read, grid, asked[n])) continue;
     const double computed = own_points ? solution.temperatures[time][n] : solution.at(time, asked[n]);
     if (std::isnan(computed)) continue;
     const double reference = is_exact     ? exact(asked[n], moment)

@@ -20,6 +20,9 @@ struct ComparedTemperatures {
 ComparedTemperatures compare(const ReadStudy& study, const Solution& solution, std::size_t time,
                              const Solution* finest);
 
+/// Is there, at any time, a place on this grid at which a run is compared with the reference?
+bool has_places(const ReadStudy& study, const Grid& grid);
+
 /// Places of a table and of the study that differ by no more are the same [m].
 double slack_of_places(const ReadStudy& read);
 

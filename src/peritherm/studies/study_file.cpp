@@ -39,6 +39,7 @@ ReadStudy read_study(std::string_view toml, const std::string& file, const std::
   check_study_reference(checker);
   check_intersection(checker);
   make_study_runs(checker);
+  check_where_of_runs(checker);
   sort_issues(checker.issues, file);
   if (!checker.issues.empty()) throw Error(std::move(checker.issues));
   return result;

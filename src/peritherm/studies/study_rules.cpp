@@ -162,8 +162,8 @@ void make_run(StudyChecker& checker, std::size_t variant, const std::array<int, 
     return add_run_issues(checker, faults,
                           [&](const std::string& key) { return blamed_key(study.vary, entries, key); });
   }
-  StudyRun run = describe_run(apply_choice(checker.read.cases[variant], choice, study.tolerance, study.times.back()));
-  run.variant = variant;
+  StudyRun run =
+      describe_run(apply_choice(checker.read.cases[variant], choice, study.tolerance, study.times.back()), variant);
   run.entries = entries;
   checker.read.runs.push_back(std::move(run));
 }
@@ -319,6 +319,20 @@ void make_study_runs(StudyChecker& checker) {
   for (std::size_t v = 0; v < checker.read.cases.size(); ++v) {
     for_each_combination(axes, [&checker, v](const std::array<int, 4>& entries) { make_run(checker, v, entries); });
   }
+}
+
+void check_where_of_runs(StudyChecker& checker) {
+  const ReadStudy& read = checker.read;
+  // Other faults keep runs and tables from being there.
+  if (!read.study.where || !checker.issues.empty()) return;
+  const auto compares = [&read](const StudyRun& run) { return has_places(read, make_grid(run.problem)); };
+  if (std::any_of(read.runs.begin(), read.runs.end(), compares)) return;
+  for (std::size_t v = 0; read.study.intersection && v < read.cases.size(); ++v) {
+    const std::vector<StudyRun> runs = intersection_runs(read, v);
+    if (std::any_of(runs.begin(), runs.end(), compares)) return;
+  }
+  checker.add("where", "holds no place at which any run is compared",
+              "Move the shape into the body, or make it larger");
 }
 
 }  // namespace peritherm

@@ -124,8 +124,9 @@ bool makes_too_many_cells(const Problem& base, const RunChoice& choice) {
                      [&](double length) { return !(along_x * length / base.body.size[0] <= most_cells_along); });
 }
 
-StudyRun describe_run(Problem problem) {
+StudyRun describe_run(Problem problem, std::size_t variant) {
   StudyRun run;
+  run.variant = variant;
   const Grid grid = make_grid(problem);
   run.entries.fill(-1);
   run.spacing = grid.spacing;

@@ -43,7 +43,7 @@ Problem apply_choice(const Problem& base, const RunChoice& choice, double tolera
 bool makes_too_many_cells(const Problem& base, const RunChoice& choice);
 
 /// A run with its numbers; the problem's body must be sound.
-StudyRun describe_run(Problem problem);
+StudyRun describe_run(Problem problem, std::size_t variant);
 
 /// Is the integrator one with a fixed step?
 bool takes_a_step(const TimeStepping& stepping);

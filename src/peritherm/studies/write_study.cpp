@@ -45,18 +45,11 @@ std::string signature_in(const fs::path& file) {
   return json.is_object() && json.contains("signature") && json["signature"].is_string() ? json["signature"] : "";
 }
 
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
-}
-
 /// Lines of a table whose entries are texts already.
 class TextTable {
  public:
   void add(const std::vector<std::string>& cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) text_ += (i == 0 ? "" : ",") + csv_text(cells[i]);
+    for (std::size_t i = 0; i < cells.size(); ++i) text_ += (i == 0 ? "" : ",") + csv_entry(cells[i]);
     text_ += '\n';
   }
   const std::string& text() const { return text_; }

@@ -54,16 +54,14 @@ void scale(double factor, std::vector<double>& values) {
 
 }  // namespace
 
-double estimate_fastest_rate(ThermalSystem& system, std::size_t free_points) {
-  if (free_points == 0) return 0.0;
-  const auto points = static_cast<double>(free_points);
-  const double wanted = more_steps + std::log(points) * std::sqrt(0.103 / expected_shortfall);
-  const auto steps = static_cast<std::size_t>(std::min(wanted, points));
+double fastest_rate_after(ThermalSystem& system, std::size_t steps) {
   std::vector<double> before(system.size(), 0.0), now(system.size()), next(system.size(), 0.0);
   for (std::size_t n = 0; n < now.size(); ++n) now[n] = mixed(n);
   // One evaluation leaves 0 where nothing is free.
   system.combine_linear(-1, now, 1.0, {}, next);
   std::swap(now, next);
+  // Entries outside open faces are never written: what they hold would grow from step to step.
+  std::fill(next.begin(), next.end(), 0.0);
   std::vector<double> diagonal, beside;
   double size = std::sqrt(system.heat_product(now, now));
   for (std::size_t k = 0; k < steps && size > 0.0; ++k) {
@@ -78,7 +76,14 @@ double estimate_fastest_rate(ThermalSystem& system, std::size_t free_points) {
     std::swap(now, next);
     if (size <= 1e-12 * diagonal.front()) break;
   }
-  return diagonal.empty() ? 0.0 : largest_eigenvalue(diagonal, beside) / (1.0 - margin);
+  return diagonal.empty() ? 0.0 : largest_eigenvalue(diagonal, beside);
+}
+
+double estimate_fastest_rate(ThermalSystem& system, std::size_t free_points) {
+  if (free_points == 0) return 0.0;
+  const auto points = static_cast<double>(free_points);
+  const double wanted = more_steps + std::log(points) * std::sqrt(0.103 / expected_shortfall);
+  return fastest_rate_after(system, static_cast<std::size_t>(std::min(wanted, points))) / (1.0 - margin);
 }
 
 }  // namespace peritherm

@@ -1,50 +1,28 @@
 #include "peritherm/output/chart.hpp"
 
-#include <cairo/cairo.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "unit/output/output_fixture.hpp"
+#include "unit/output/read_picture.hpp"
 
 namespace peritherm {
 namespace {
-
-/// Number of pixels of a colour in a PNG, and its height.
-struct ChartPixels {
-  explicit ChartPixels(const std::filesystem::path& path) {
-    cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
-    width = cairo_image_surface_get_width(surface);
-    height = cairo_image_surface_get_height(surface);
-    const unsigned char* data = cairo_image_surface_get_data(surface);
-    for (int j = 0; j < height; ++j) {
-      const auto* row = reinterpret_cast<const std::uint32_t*>(data + j * cairo_image_surface_get_stride(surface));
-      for (int i = 0; i < width; ++i) pixels.push_back(row[i] & 0xffffffU);
-    }
-    cairo_surface_destroy(surface);
-  }
-  long count(std::uint32_t colour) const { return std::count(pixels.begin(), pixels.end(), colour); }
-
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint32_t> pixels;
-};
 
 constexpr std::uint32_t first_curve = 0x1d4e9e;
 constexpr std::uint32_t second_curve = 0xc8372d;
 
 class ChartTest : public OutputTest {
  protected:
-  ChartPixels draw(const Chart& chart, int width = 600) {
+  ReadPicture draw(const Chart& chart, int width = 600) {
     save_chart(chart, width, folder_ / "chart.png");
-    return ChartPixels(folder_ / "chart.png");
+    return ReadPicture(folder_ / "chart.png");
   }
 };
 
 TEST_F(ChartTest, curves_have_colours_of_their_own_and_legends_make_it_taller) {
   Chart chart;
   chart.curves = {{"", {0.0, 1.0}, {0.0, 1.0}}, {"", {0.0, 1.0}, {1.0, 0.0}}};
-  const ChartPixels bare = draw(chart);
+  const ReadPicture bare = draw(chart);
   EXPECT_EQ(bare.width, 600);
   EXPECT_GT(bare.count(first_curve), 50);
   EXPECT_GT(bare.count(second_curve), 50);
@@ -81,6 +59,20 @@ TEST_F(ChartTest, missing_values_and_what_a_logarithm_cannot_show_interrupt_a_cu
   const long without_number = draw(chart).count(first_curve);
   EXPECT_LT(without_zero, 0.75 * whole);
   EXPECT_EQ(without_zero, without_number);
+}
+
+TEST_F(ChartTest, triangles_of_a_slope_stand_within_the_axes) {
+  Chart chart;
+  chart.x.scale = chart.y.scale = AxisScale::logarithmic;
+  chart.curves = {{"", {1.0, 100.0}, {1.0, 1.0}}};
+  chart.slopes = {{1.0, 10.0, 1e-4, 2.0, {}}};
+  Chart axes = chart;
+  axes.y.low = 1e-4 * std::pow(1e4, -0.06);
+  axes.y.high = std::pow(1e4, 0.06);
+  EXPECT_EQ(draw(chart).pixels, draw(axes).pixels);
+  chart.slopes[0].slope = 6.0;
+  axes.slopes[0].slope = 6.0;
+  EXPECT_NE(draw(chart).pixels, draw(axes).pixels) << "the end of the long side counts as well";
 }
 
 TEST_F(ChartTest, charts_without_values_or_with_equal_ones_are_drawn) {

@@ -1,36 +1,10 @@
-#include <cairo/cairo.h>
-
-#include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "unit/output/output_fixture.hpp"
+#include "unit/output/read_picture.hpp"
 
 namespace peritherm {
 namespace {
-
-/// The pixels of a PNG file, 0xRRGGBB.
-struct ReadPicture {
-  explicit ReadPicture(const std::filesystem::path& path) {
-    cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
-    width = cairo_image_surface_get_width(surface);
-    height = cairo_image_surface_get_height(surface);
-    const unsigned char* data = cairo_image_surface_get_data(surface);
-    for (int j = 0; j < height; ++j) {
-      const auto* row = reinterpret_cast<const std::uint32_t*>(data + j * cairo_image_surface_get_stride(surface));
-      for (int i = 0; i < width; ++i) pixels.push_back(row[i] & 0xffffffU);
-    }
-    cairo_surface_destroy(surface);
-  }
-  std::size_t count(std::uint32_t colour) const {
-    return static_cast<std::size_t>(std::count(pixels.begin(), pixels.end(), colour));
-  }
-  std::size_t colours() const { return std::set<std::uint32_t>(pixels.begin(), pixels.end()).size(); }
-
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint32_t> pixels;
-};
 
 constexpr std::uint32_t black = 0x000000;
 constexpr std::uint32_t cut_away = 0xe6e6e6;
@@ -77,10 +51,10 @@ TEST_F(Picture, long_and_tall_plates_keep_sensible_sizes) {
 TEST_F(Picture, cracks_are_black) {
   const SampleBody body = plate(20, 20);
   Snapshot snapshot = body.snapshot(0.0);
-  EXPECT_EQ(draw(snapshot, {}).count(black), 0U);
+  EXPECT_EQ(draw(snapshot, {}).count(black), 0);
   snapshot.cracks = {{{5e-3, 5e-3, 0.0}, {15e-3, 5e-3, 0.0}}};
   // Half of a plot of at least 600 pixels, 3.4 pixels wide, of which at least two are covered whole.
-  EXPECT_GT(draw(snapshot, {}).count(black), 600U);
+  EXPECT_GT(draw(snapshot, {}).count(black), 600);
 }
 
 TEST_F(Picture, what_was_cut_away_is_grey_and_materials_have_their_colours) {
@@ -90,8 +64,8 @@ TEST_F(Picture, what_was_cut_away_is_grey_and_materials_have_their_colours) {
   options.field = FieldName::material;
   const ReadPicture picture = draw(body.snapshot(0.0), options);
   // Half of a plot of at least 500 × 500 pixels each; hatching takes part of the grey.
-  EXPECT_GT(picture.count(first_material), 500U * 250U - 5000U);
-  EXPECT_GT(picture.count(cut_away), 500U * 250U / 2U);
+  EXPECT_GT(picture.count(first_material), 500 * 250 - 5000);
+  EXPECT_GT(picture.count(cut_away), 500 * 250 / 2);
 }
 
 TEST_F(Picture, a_given_range_fixes_the_colours) {
@@ -101,7 +75,7 @@ TEST_F(Picture, a_given_range_fixes_the_colours) {
   narrow.range = Coordinates{1e5, 2e5};
   const ReadPicture picture = draw(body.snapshot(0.0), narrow);
   const std::uint32_t lowest = 0x001f51;
-  EXPECT_GT(picture.count(lowest), 500U * 500U) << "all values lie below the range";
+  EXPECT_GT(picture.count(lowest), 500 * 500) << "all values lie below the range";
 }
 
 TEST_F(Picture, isolines_add_dark_lines_only_when_asked_for) {
@@ -149,9 +123,9 @@ TEST_F(Picture, slices_at_several_places_do_not_overwrite_each_other) {
 TEST_F(Picture, the_curve_of_a_bar_shows_its_cracks) {
   const SampleBody bar(Grid{1, 1e-2, {30, 1, 1}, {}, PointPlacement::centres}, [](const Point& x) { return x[0]; });
   Snapshot snapshot = bar.snapshot(0.0);
-  EXPECT_EQ(draw(snapshot, {}).count(black), 0U);
+  EXPECT_EQ(draw(snapshot, {}).count(black), 0);
   snapshot.cracks = {{{0.15, 0.0, 0.0}}};
-  EXPECT_GT(draw(snapshot, {}).count(black), 100U);
+  EXPECT_GT(draw(snapshot, {}).count(black), 100);
 }
 
 TEST_F(Picture, the_exact_curve_of_a_bar_is_drawn_beside_the_computed_one) {
@@ -159,11 +133,11 @@ TEST_F(Picture, the_exact_curve_of_a_bar_is_drawn_beside_the_computed_one) {
   const SampleBody body{Grid{1, 1e-3, {20, 1, 1}, {}, PointPlacement::centres}, [](const Point& x) { return x[0]; }};
   PictureOutput options;
   const ReadPicture without = draw(body.snapshot(1.0), options);
-  EXPECT_EQ(without.count(exact_curve), 0U);
+  EXPECT_EQ(without.count(exact_curve), 0);
   options.exact = LumpedBody{1.0, 0.0, 1.0};
   options.stem = "exact";
   const ReadPicture with = draw(body.snapshot(1.0), options);
-  EXPECT_GT(with.count(exact_curve), 200U);
+  EXPECT_GT(with.count(exact_curve), 200);
   EXPECT_GT(with.height, without.height);
 }
 

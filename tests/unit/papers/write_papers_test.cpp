@@ -78,6 +78,25 @@ TEST(WritePapers, leaves_a_report_when_it_is_stopped) {
   EXPECT_NE(html.find("Section 2"), std::string::npos);
 }
 
+TEST(WritePapers, replaces_all_of_an_older_report_and_nothing_else) {
+  PapersSettings settings;
+  settings.names = {"mei_2021"};
+  settings.quick = true;
+  settings.threads = 1;
+  settings.overwrite = true;
+  settings.folder = empty_papers_folder("replaced");
+  fs::create_directories(settings.folder / "pictures");
+  const std::vector<std::string> old{"bobaru_2010.md", "pictures/2012_figure_09.png", "pictures/2021_figure_99.png"};
+  const std::vector<std::string> others{"notes.md", "pictures/temperature_0000.png", "pictures/2012_notes.txt"};
+  for (const std::string& name : old) std::ofstream(settings.folder / name) << "old";
+  for (const std::string& name : others) std::ofstream(settings.folder / name) << "mine";
+  settings.stop_requested = [] { return true; };
+  EXPECT_TRUE(write_papers(settings).stopped);
+  EXPECT_TRUE(fs::exists(settings.folder / "mei_2021.md"));
+  for (const std::string& name : old) EXPECT_FALSE(fs::exists(settings.folder / name)) << name;
+  for (const std::string& name : others) EXPECT_TRUE(fs::exists(settings.folder / name)) << name;
+}
+
 TEST(PaperRuns, give_solutions_in_the_order_of_the_runs) {
   PaperRuns runs({.quick = true, .threads = 2, .folder = {}, .stop_requested = {}, .on_done = {}});
   const std::vector<Solution> solutions =

@@ -211,6 +211,9 @@ TEST(Check, pictures_show_something) {
   expect_fault({"type = \"picture\"", "type = \"picture\"\nrange = [3, 1]", "output.1.range", 51,
                 "must be the lowest and the highest value"});
   expect_fault({"type = \"picture\"", "type = \"picture\"\nat = 0", "output.1.at", 51, "3-D bodies only"});
+  expect_fault({"type = \"picture\"", "type = \"picture\"\nnormal = \"x\"", "output.1.normal", 51, "3-D bodies only"});
+  expect_fault({"type = \"picture\"", "type = \"picture\"\nfield = \"material\"\nrange = [0, 1]", "output.1.range", 52,
+                "for fields of values"});
 }
 
 TEST(Check, numbers_of_threads_and_steps_are_sensible) {

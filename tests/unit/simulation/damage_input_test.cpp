@@ -93,6 +93,8 @@ TEST(DamageInput, what_is_missing_or_too_much_is_named) {
   only("displacement = [0, 0]\ntable = \"a.csv\"", "damage: has both displacement and table. Leave one of them out");
   only("displacement = [\"t*x\", 0]", "damage: displacement depends on t, and every is missing. Say how often");
   only("displacement = [\"t*x\", 0]\nevery = \"1 ns\"", "damage.every: makes more than 1e6 looks");
+  only("displacement = [\"x\", 0]\nevery = 1", "damage.every: displacement does not depend on t, one look is all");
+  only("displacement = [\"x +\", 0]\nevery = 1", "damage.displacement.0: expression");
   only("displacement = [\"1 K\", 0]", "damage.displacement.0: unit 'K' does not measure this quantity");
   const TableFile file("t,x,y,ux,uy\n");
   const auto both = issues_of(with_damage("critical_elongation = 0.1\nevery = 1\ntable = \"" + file.path() + "\""));

@@ -174,6 +174,9 @@ TEST(Read, overrides_that_cannot_be_applied_are_issues_that_name_them) {
       {"crack.0.transmission=2", "crack.0.transmission: must lie between 0 and 1. Got 2"},
       {"crack.0.transmision=1", "Did you mean 'transmission'?"},
       {"time.end=inf", "must be finite"},
+      {"colour=red", "colour: unknown option"},
+      {"material.steel.density=1", "material: unknown option. Did you mean 'materials'?"},
+      {"nonlocality.weight.power=1", "nonlocality.weight: unknown option"},
   };
   for (const auto& [text, words] : wrong) {
     const std::vector<Issue> issues = issues_of(std::string(valid_case), {text});

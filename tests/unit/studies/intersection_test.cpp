@@ -30,6 +30,13 @@ TEST(CurveCrossing, is_absent_where_curves_do_not_meet_or_are_the_same) {
   EXPECT_FALSE(find_crossing({2.0, 4.0, 8.0}, {3.0, 5.0, 9.0}, {0.0, 0.0, 0.0}).has_value());
 }
 
+TEST(Parabola, continues_a_square_beyond_its_three_points) {
+  // (m − 3)(m − 7)
+  EXPECT_NEAR(parabola_at({2.0, 4.0, 8.0}, {5.0, -3.0, 5.0}, 2.0), 5.0, 1e-13);
+  EXPECT_NEAR(parabola_at({2.0, 4.0, 8.0}, {5.0, -3.0, 5.0}, 5.0), -4.0, 1e-13);
+  EXPECT_NEAR(parabola_at({2.0, 4.0, 8.0}, {5.0, -3.0, 5.0}, 9.0), 12.0, 1e-13);
+}
+
 /// Runs one of the studies in examples/intersection without its fine run.
 StudySummary run_intersection(const StudyFolder& folder, const std::string& name,
                               std::vector<std::string> overrides = {}) {

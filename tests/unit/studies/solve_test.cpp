@@ -1,6 +1,7 @@
 #include "peritherm/studies/solve.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include "peritherm/solutions/exact_solution.hpp"
 #include "support/order_of_convergence.hpp"
@@ -31,6 +32,19 @@ TEST(Solve, keeps_what_it_has_when_it_is_stopped) {
   int asked = 0;
   const Solution solution = solve(problem, std::vector{0.1, 0.2}, [&asked] { return ++asked > 1; });
   EXPECT_LT(solution.times.size(), 2U);
+}
+
+TEST(Solve, takes_the_threads_that_a_prepared_problem_was_given_later) {
+  const int before = omp_get_max_threads();
+  Problem problem = unit_body(1, 20, 3.0);
+  problem.numerics.threads = 1;
+  Prepared prepared = prepare_to_solve(problem, std::vector{0.1});
+  EXPECT_NE(prepared.problem.numerics.backend, BackendName::automatic);
+  prepared.threads = 3;
+  const Solution solution = solve(prepared, std::vector{0.1});
+  EXPECT_EQ(omp_get_max_threads(), 3);
+  EXPECT_EQ(solution.temperatures, solve(problem, std::vector{0.1}).temperatures);
+  omp_set_num_threads(before);
 }
 
 TEST(Solve, refuses_temperatures_that_are_not_finite_with_place_and_time) {

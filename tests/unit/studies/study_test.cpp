@@ -117,8 +117,20 @@ TEST(Study, a_run_that_fails_leaves_the_others_alone) {
   const ReadStudy read = bar_study(folder, "set = [\"time.integrator=rk4\"]\n[vary]\ntime_step = [10, 1e-5, 2e-5]\n");
   const StudySummary summary = run_study(read, folder.settings());
   EXPECT_EQ(summary.status, "failed");
-  EXPECT_EQ(summary.failures.size(), 1U);
+  ASSERT_EQ(summary.failures.size(), 1U);
+  EXPECT_NE(summary.failures[0].find("time step 10 s failed"), std::string::npos) << summary.failures[0];
   EXPECT_EQ(summary.rows.size(), 2U);
+}
+
+TEST(Study, a_run_that_fails_is_named_with_its_variant) {
+  const StudyFolder folder("failing_variant");
+  const ReadStudy read = bar_study(folder,
+                                   "[[variant]]\nname = \"near\"\n[[variant]]\nname = \"far\"\n"
+                                   "set = [\"time.integrator={ type = 'rk4', step = 10 }\"]\n"
+                                   "[vary]\nhorizon = [0.2, 0.4]\n");
+  const StudySummary summary = run_study(read, folder.settings());
+  ASSERT_EQ(summary.failures.size(), 3U);  // Two runs, and one of them with half the step.
+  for (const std::string& text : summary.failures) EXPECT_EQ(text.find("the run with far, horizon"), 0U) << text;
 }
 
 TEST(Study, a_table_of_results_is_compared_at_its_own_places) {
@@ -297,8 +309,34 @@ TEST(StudyFaults, a_table_must_hold_the_times_and_lie_in_the_body) {
   EXPECT_NE(study_faults(folder, start + reference).find("has nothing for t = 0.1 s"), std::string::npos);
   folder.write("known.csv", "x,t,heat\n0.25,0.2,0.4\n");
   EXPECT_NE(study_faults(folder, start + reference).find("has no column 'T'"), std::string::npos);
+  folder.write("known.csv", "x,t,T,note\n0.25,0.1,0.4,\n0.75,0.1,0.4\n");
+  EXPECT_NE(study_faults(folder, start + reference).find("line 3: has 3 entries, the first line has 4"),
+            std::string::npos);
   std::filesystem::remove(folder.file("known.csv"));
   EXPECT_NE(study_faults(folder, start + reference).find("cannot read"), std::string::npos);
+}
+
+TEST(StudyFaults, what_would_be_passed_over_is_refused) {
+  const StudyFolder folder("passed_over");
+  folder.write("known.csv", "x,t,T\n0.25,0.1,0.4\n0.75,0.1,nan\n");
+  const auto faults = [&folder](const std::string& keys, const std::string& reference = exact_reference) {
+    return study_faults(folder, study_head + keys + "[vary]\nhorizon = [0.2, 0.1]\n" + reference);
+  };
+  std::string text = faults("norms = [\"rms\", \"maximum\", \"rms\"]\n");
+  EXPECT_NE(text.find("norms.2: stands in the list twice"), std::string::npos) << text;
+  text = faults("times = [0.05, 0.1]\nset = [\"time.integrator=steady\"]\n");
+  EXPECT_NE(text.find("times: has several, but the case's integrator 'steady'"), std::string::npos) << text;
+  EXPECT_EQ(faults("times = [0.1]\nset = [\"time.integrator=steady\"]\n"), "");
+  text = faults("set = [\"material.unit.density=1\"]\n");
+  EXPECT_NE(text.find("study.toml:3:8: set.0: material: unknown option"), std::string::npos) << text;
+  const std::string table = "[reference]\ntype = \"results\"\nfile = \"known.csv\"\n";
+  const std::string nowhere = "where = { type = \"box\", from = [0.701], to = [0.702] }\n";
+  for (const std::string& reference : {std::string(exact_reference), table}) {
+    text = faults(nowhere, reference);
+    EXPECT_NE(text.find("study.toml:3:9: where: holds no place at which any run is compared"), std::string::npos)
+        << text;
+    EXPECT_EQ(faults("where = { type = \"box\", from = [0.2], to = [0.3] }\n", reference), "");
+  }
 }
 
 TEST(StudySchema, names_every_key) {

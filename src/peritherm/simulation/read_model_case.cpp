@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <regex>
+
+#include "peritherm/base/text.hpp"
+#include "peritherm/reduction/model_file.hpp"
+#include "peritherm/simulation/document.hpp"
+#include "peritherm/simulation/model_case.hpp"
+#include "peritherm/simulation/overrides.hpp"
+#include "peritherm/simulation/schedule.hpp"
+
+namespace peritherm {
+namespace {
+
+/// May the key be set without making another model?
+bool is_question(const std::string& key) {
+  static const std::regex known(
+      R"((boundary\.[0-9]+\.(value|ambient)|source\.[0-9]+\.value|initial\.temperature|time\.end|title|numerics\.threads|output(\..*)?))");
+  return std::regex_match(key, known);
+}
+
+void refuse_what_is_built_in(const std::string& case_text, const std::vector<std::string>& overrides) {
+  toml::table root = toml::parse(case_text);
+  std::vector<Issue> issues;
+  for (const AppliedOverride& applied : apply_overrides(root, overrides, issues)) {
+    if (is_question(applied.key)) continue;
+    issues.push_back({{name_of_override(applied.text), applied.key, 0, 0},
+                      "the model was built with it",
+                      "Reduce the case again with it. A model answers for values of boundaries and sources, "
+                      "initial.temperature, time.end and output"});
+  }
+  if (!issues.empty()) throw Error(std::move(issues));
+}
+
+std::vector<std::string> find_warnings(const ReducedModel& model, const Problem& problem) {
+  std::vector<std::string> warnings;
+  if (problem.time.end > model.longest_time * (1.0 + 1e-12)) {
+    warnings.push_back("the model was built for " + shortest(model.longest_time) + " s, and the end is " +
+                       shortest(problem.time.end) + " s; look at its estimated error");
+  }
+  const double first = march_times(problem).front();
+  if (first < model.shortest_time * (1.0 - 1e-12)) {
+    warnings.push_back("the model was built for times from " + shortest(model.shortest_time) +
+                       " s after a jump on, and the first answer is for " + shortest(first) +
+                       " s; look at its estimated error");
+  }
+  return warnings;
+}
+
+}  // namespace
+
+ModelCase make_model_case(ReducedModel model, const std::filesystem::path& file,
+                          const std::vector<std::string>& overrides) {
+  ModelCase made;
+  made.file = file;
+  made.model = std::move(model);
+  refuse_what_is_built_in(made.model.case_text, overrides);
+  ReadCase inside = read_case(made.model.case_text, file.string() + ", its case", overrides, CaseUse::answer);
+  made.problem = std::move(inside.problem);
+  made.locations = std::move(inside.locations);
+  made.warnings = find_warnings(made.model, made.problem);
+  return made;
+}
+
+ModelCase read_model_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return make_model_case(read_model(file), file, overrides);
+}
+
+}  // namespace peritherm

@@ -1,0 +1,96 @@
+#include "peritherm/simulation/write_reduction.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "peritherm/base/file.hpp"
+#include "peritherm/base/version.hpp"
+#include "peritherm/reduction/model_file.hpp"
+#include "peritherm/simulation/memory.hpp"
+#include "peritherm/simulation/write.hpp"
+
+namespace peritherm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no word for what is not a number.
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json describe_loads(const ReducedModel& model) {
+  Json loads = Json::array();
+  for (const Load& load : model.loads) {
+    loads.push_back({{"key", load.key},
+                     {"kind", load.kind == LoadKind::temperature ? "temperature" : "heat"},
+                     {"inputs", load.shapes.size()}});
+  }
+  return loads;
+}
+
+Json describe_verification(const ModelVerification& verification, const ReducedCase& reduced) {
+  Json times = Json::array(), probes = Json::array();
+  for (const auto& at : verification.times) {
+    times.push_back({{"time_s", at.time},
+                     {"error_rms_K", at.rms},
+                     {"error_maximum_K", at.maximum},
+                     {"estimated_error_rms_K", number_or_null(at.estimated)}});
+  }
+  for (const auto& at : verification.probes) {
+    probes.push_back(
+        {{"name", at.name}, {"error_maximum_K", at.maximum}, {"estimated_error_K", number_or_null(at.estimated)}});
+  }
+  const double full = verification.full_seconds;
+  return {{"error_rms_K", verification.rms},
+          {"error_maximum_K", verification.maximum},
+          {"estimated_error_rms_K", number_or_null(verification.estimated)},
+          {"span_K", verification.span},
+          {"full_integrator", verification.integrator},
+          {"full_relative_tolerance", verification.tolerance},
+          {"full_evaluations", verification.evaluations},
+          {"full_s", full},
+          {"speed_up_per_load", full / reduced.answer_seconds},
+          {"speed_up_one_load_with_set_up", full / (reduced.setup_seconds + reduced.answer_seconds)},
+          {"times", times},
+          {"probes", probes}};
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_reduction(const ReducibleCase& reducible, const ReducedCase& reduced,
+                                                   const std::optional<ModelVerification>& verification,
+                                                   const std::filesystem::path& folder) {
+  const ReducedModel& model = reduced.model;
+  write_model(model, folder / "model.h5");
+  write_file(folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +
+                                           "; reducing it again reproduces the model.\n" +
+                                           write_problem(reducible.problem));
+  const ReductionCost& cost = reduced.cost;
+  Json json{{"version", std::string(version())},
+            {"method", std::visit([](const auto& chosen) { return std::string(chosen.name); }, model.method)},
+            {"points", reducible.full.present.size()},
+            {"unknowns", model.unknowns()},
+            {"retained_points", model.retained.size()},
+            {"inputs", model.inputs()},
+            {"loads", describe_loads(model)},
+            {"shortest_time_s", model.shortest_time},
+            {"longest_time_s", model.longest_time},
+            {"estimated_error_rms_K", number_or_null(reduced.estimated_error)},
+            {"estimated_error_relative", number_or_null(model.estimated_error)},
+            {"span_K", reduced.span},
+            {"set_up_s", reduced.setup_seconds},
+            {"assembly_s", reduced.assembly_seconds},
+            {"solves_s", cost.solves},
+            {"projection_s", cost.projection},
+            {"modes_s", cost.modes},
+            {"full_run_s", cost.run},
+            {"evaluations", cost.evaluations},
+            {"answer_s", reduced.answer_seconds},
+            {"reduction_peak_bytes", cost.peak_bytes},
+            {"peak_memory_bytes", peak_memory()},
+            {"notes", reduced.notes}};
+  if (verification) json["verification"] = describe_verification(*verification, reduced);
+  write_file(folder / "reduction.json", json.dump(2) + "\n");
+  return {folder / "model.h5", folder / "reduction.json", folder / "resolved.toml"};
+}
+
+}  // namespace peritherm

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "peritherm/simulation/reduce_case.hpp"
+#include "peritherm/simulation/verify_model.hpp"
+
+namespace peritherm {
+
+/// Writes model.h5, resolved.toml and reduction.json into a folder that is there; returns their paths.
+std::vector<std::filesystem::path> write_reduction(const ReducibleCase& reducible, const ReducedCase& reduced,
+                                                   const std::optional<ModelVerification>& verification,
+                                                   const std::filesystem::path& folder);
+
+}  // namespace peritherm
