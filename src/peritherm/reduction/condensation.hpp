@@ -26,8 +26,8 @@ struct SplitHeat {
   SparseFactor factor;                            ///< of K_tt
 };
 
-/// Throws Error if the system changes in time, is not symmetric, or if the choice of points does not decide the
-/// temperatures of all others.
+/// Throws Error if the system changes in time, is not symmetric, if too many points are chosen, or if they do not
+/// decide the temperatures of all others.
 SplitHeat split_heat(FullSystem& full, const RetainedPoints& choice, std::vector<std::string>& notes);
 
 /// Shapes of a condensed model over the n free points: a column for each retained point, its temperature 1 and those of
