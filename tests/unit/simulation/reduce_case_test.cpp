@@ -106,7 +106,7 @@ TEST(ReduceCase, the_true_error_is_below_the_estimate_and_the_tolerance) {
 
 TEST(ReduceCase, other_loads_starts_and_times_are_answered_as_full_runs_are) {
   const std::vector<std::string> changes{"boundary.0.value=50*x + 20*t",
-                                         "boundary.1.value=10*cos(5*t)",
+                                         "boundary.1.value=10*(1 - t)^2",
                                          "boundary.2.ambient=5",
                                          "source.0.value=300*t",
                                          "time.end=0.4",
