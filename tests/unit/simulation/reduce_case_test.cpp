@@ -105,8 +105,11 @@ TEST(ReduceCase, the_true_error_is_below_the_estimate_and_the_tolerance) {
 }
 
 TEST(ReduceCase, other_loads_starts_and_times_are_answered_as_full_runs_are) {
-  const std::vector<std::string> changes{"boundary.0.value=50*x + 20*t", "boundary.1.value=10*cos(20*t)",
-                                         "boundary.2.ambient=5", "source.0.value=t < 0.2 ? 300 : 0", "time.end=0.4",
+  const std::vector<std::string> changes{"boundary.0.value=50*x + 20*t",
+                                         "boundary.1.value=10*cos(20*t)",
+                                         "boundary.2.ambient=5",
+                                         "source.0.value=t < 0.2 ? 300 : 0",
+                                         "time.end=0.4",
                                          "output=[{type=\"probe\", name=\"a\", at=[0.69,0.72], times=[0.03,0.4]}]"};
   const ModelCase asked = case_of_model(changes);
   const ModelQuestion question = make_question(asked.problem, asked.model, {0.03, 0.4});
