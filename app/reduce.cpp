@@ -127,8 +127,9 @@ std::string reduction_text(const ReducibleCase& reducible, const ReducedCase& re
   text += line("answers for", loads_text(model));
   text += line("estimated error", share_text(reduced.estimated_error, reduced.span) + ", rms at the worst output time");
   text += line("set-up", time_text(reduced.setup_seconds) + cost_text(reduced));
-  text += line("one answer", fmt::format("{} for all points at {}", time_text(reduced.answer_seconds),
-                                         counted(reducible.full.times.size() + 1, "time", "times")));
+  text += line("one answer",
+               fmt::format("{} at {}, {} more for all points", time_text(reduced.answer_seconds),
+                           counted(reducible.full.times.size() + 1, "time", "times"), time_text(reduced.lift_seconds)));
   for (const std::string& note : reduced.notes) text += line("note", note);
   return text;
 }
@@ -145,13 +146,16 @@ std::string verification_text(const ModelVerification& verification, const Reduc
                                       std::isfinite(probe.estimated) ? fmt::format("{:.2g} K", probe.estimated)
                                                                      : std::string("unknown")));
   }
-  const double full = verification.full_seconds, answer = reduced.answer_seconds, setup = reduced.setup_seconds;
+  const double full = verification.full_seconds, answer = reduced.answer_seconds;
+  const double all = answer + reduced.lift_seconds, setup = reduced.setup_seconds;
   text += line("full run", time_text(full));
-  text += line("speed-up", fmt::format("{:.3g} per load, {:.3g} for one load with the set-up", full / answer,
-                                       full / (setup + answer)));
-  if (full > answer) {
-    text += line("pays", fmt::format("from {} on", counted(static_cast<std::size_t>(std::ceil(setup / (full - answer))),
-                                                           "load", "loads")));
+  text +=
+      line("speed-up", fmt::format("{:.3g} per load at probes, {:.3g} with all points, {:.3g} for one load with the "
+                                   "set-up",
+                                   full / answer, full / all, full / (setup + all)));
+  if (full > all) {
+    const auto loads = static_cast<std::size_t>(std::ceil(setup / (full - all)));
+    text += line("pays", "from " + counted(loads, "load", "loads") + " on");
   }
   return text + '\n';
 }

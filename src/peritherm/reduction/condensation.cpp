@@ -185,6 +185,7 @@ SplitHeat split_heat(FullSystem& full, const RetainedPoints& choice, std::vector
     const bool keep = std::binary_search(set.points.begin(), set.points.end(), heat.points[i]);
     (keep ? retained : truncated).push_back(static_cast<std::int32_t>(i));
   }
+  require_few_unknowns(retained.size());
   require_anchors(heat, truncated, full.layout.grid());
   SparseFactor factor(part_of(heat.conductances, truncated, truncated), full.memory);
   return {std::move(heat), std::move(retained), std::move(truncated), std::move(factor)};

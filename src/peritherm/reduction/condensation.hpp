@@ -26,16 +26,16 @@ struct SplitHeat {
   SparseFactor factor;                            ///< of K_tt
 };
 
-/// Throws Error if the system changes in time, is not symmetric, or if the choice of points does not decide the
-/// temperatures of all others.
+/// Throws Error if the system changes in time, is not symmetric, if too many points are chosen, or if they do not
+/// decide the temperatures of all others.
 SplitHeat split_heat(FullSystem& full, const RetainedPoints& choice, std::vector<std::string>& notes);
 
 /// Shapes of a condensed model over the n free points: a column for each retained point, its temperature 1 and those of
-/// the truncated ones R = −K_tt⁻¹ K_tr [galadima2023, eqs. 60 to 62], and behind them modes of the truncated points.
+/// the truncated ones R = −K_tt⁻¹ K_tr [galadima2022, eqs. 60 to 62], and behind them modes of the truncated points.
 /// Shares |R_ij| below `drop` are left out, the others of the row scaled so that constants stay what they are.
 SparseMatrix condensed_shapes(const SplitHeat& split, double drop, const Matrix& modes, std::size_t most_bytes);
 
-/// shapesᵀ K shapes, the lower half of it [galadima2023, eq. 65].
+/// shapesᵀ K shapes, the lower half of it [galadima2022, eq. 65].
 Matrix condensed_conductances(const SplitHeat& split, const SparseMatrix& shapes);
 
 /// K_tt⁻¹ h_t of loads of some kinds, n × m: what truncated points take on at once. 0 for the others.

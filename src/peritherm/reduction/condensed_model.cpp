@@ -159,10 +159,8 @@ class CondensedModelBuilder {
     equations.gains = transposed_product(modes_, transposed_product(parts_.shapes, remaining));
     const Matrix shares = transposed_product(modes_, transposed_product(parts_.shapes, stored));
     derivative_gains_ = Matrix(rates.size(), inputs);
-    // Lumped capacities store nothing of what the static responses hold.
-    if (lumped) {
-      equations.start_gains = parts_.start == ModelStart::projected ? shares : Matrix();
-    } else {
+    // Lumped capacities have what the static responses store in the retained points already.
+    if (!lumped) {
       for (std::size_t n = 0; n < shares.values.size(); ++n) derivative_gains_.values[n] = -shares.values[n];
       for (std::size_t m = 0; m < inputs; ++m) {
         for (std::size_t k = 0; k < rates.size(); ++k) equations.gains(k, m) += rates[k] * shares(k, m);

@@ -85,7 +85,7 @@ struct EnumNames<ModelStart> {
       {{ModelStart::projected, "projected"}, {ModelStart::sampled, "sampled"}}};
 };
 
-/// Temperatures of retained points; all others follow them without delay [galadima2023].
+/// Temperatures of retained points; all others follow them without delay [galadima2022].
 struct StaticCondensation {
   RetainedPoints retained;
   CondensedCapacity capacity = CondensedCapacity::consistent;

@@ -31,7 +31,6 @@ std::vector<MicroConductivity> condensed_micro_conductivity(const RetainedPoints
                                                             ConstField volumes) {
   std::vector<std::string> notes;
   const SplitHeat split = split_heat(full, choice, notes);
-  require_few_unknowns(split.retained.size());
   const SparseMatrix own = part_of(split.heat.conductances, split.retained, split.retained);
   const Matrix condensed = condensed_conductances(split, condensed_shapes(split, 0.0, {}, full.memory));
   std::vector<MicroConductivity> table;

@@ -13,7 +13,7 @@ struct MicroConductivity {
   std::int64_t first = 0, second = 0;  ///< their numbers in the grid, first < second
   double distance = 0.0;               ///< [m]
   double full = 0.0;                   ///< of their own bond [W/(m⁶ K)]
-  double condensed = 0.0;              ///< once the points between them follow [galadima2023, figs. 4 and 5]
+  double condensed = 0.0;              ///< once the points between them follow [galadima2022, figs. 4 and 5]
 };
 
 /// All pairs of retained points, for pictures of what condensation does to a kernel: it widens the horizon. Held

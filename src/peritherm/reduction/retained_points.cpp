@@ -165,6 +165,43 @@ std::string box_text(const Grid& grid, const std::vector<std::int64_t>& points) 
   return std::to_string(points.size()) + " points between " + place_text(grid, low) + " and " + place_text(grid, high);
 }
 
+/// Truncated points by piece, of pieces that nothing decides the temperature of.
+std::vector<std::vector<std::int64_t>> find_loose_pieces(const SparseHeat& heat,
+                                                         const std::vector<std::int32_t>& truncated) {
+  constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> number_of(heat.size(), nowhere);
+  for (std::size_t k = 0; k < truncated.size(); ++k) number_of[static_cast<std::size_t>(truncated[k])] = k;
+  Pieces pieces(truncated.size());
+  std::vector<bool> anchored(truncated.size(), false);
+  const SparseMatrix& matrix = heat.conductances;
+  for (std::size_t k = 0; k < truncated.size(); ++k) {
+    const auto i = static_cast<std::size_t>(truncated[k]);
+    double size = 0.0;
+    for (auto n = static_cast<std::size_t>(matrix.begin[i]); n < static_cast<std::size_t>(matrix.begin[i + 1]); ++n) {
+      const auto j = static_cast<std::size_t>(matrix.column_of[n]);
+      size += std::abs(matrix.values[n]);
+      if (j == i || matrix.values[n] == 0.0) continue;
+      if (number_of[j] == nowhere) {
+        anchored[k] = true;
+      } else {
+        pieces.join(k, number_of[j]);
+      }
+    }
+    if (std::abs(heat.losses[i]) > 1e-12 * size) anchored[k] = true;
+  }
+  std::vector<bool> piece_anchored(truncated.size(), false);
+  for (std::size_t k = 0; k < truncated.size(); ++k) {
+    if (anchored[k]) piece_anchored[pieces.find(k)] = true;
+  }
+  std::vector<std::vector<std::int64_t>> loose(truncated.size());
+  for (std::size_t k = 0; k < truncated.size(); ++k) {
+    const std::size_t piece = pieces.find(k);
+    if (!piece_anchored[piece]) loose[piece].push_back(heat.points[static_cast<std::size_t>(truncated[k])]);
+  }
+  std::erase_if(loose, [](const auto& piece) { return piece.empty(); });
+  return loose;
+}
+
 }  // namespace
 
 RetainedSet select_retained(const RetainedPoints& choice, const Grid& grid, const std::vector<bool>& present,
@@ -201,47 +238,19 @@ RetainedSet select_retained(const RetainedPoints& choice, const Grid& grid, cons
 }
 
 void require_anchors(const SparseHeat& heat, const std::vector<std::int32_t>& truncated, const Grid& grid) {
-  constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> number_of(heat.size(), nowhere);
-  for (std::size_t k = 0; k < truncated.size(); ++k) number_of[static_cast<std::size_t>(truncated[k])] = k;
-  Pieces pieces(truncated.size());
-  std::vector<bool> anchored(truncated.size(), false);
-  const SparseMatrix& matrix = heat.conductances;
-  for (std::size_t k = 0; k < truncated.size(); ++k) {
-    const auto i = static_cast<std::size_t>(truncated[k]);
-    double size = 0.0;
-    for (auto n = static_cast<std::size_t>(matrix.begin[i]); n < static_cast<std::size_t>(matrix.begin[i + 1]); ++n) {
-      const auto j = static_cast<std::size_t>(matrix.column_of[n]);
-      size += std::abs(matrix.values[n]);
-      if (j == i || matrix.values[n] == 0.0) continue;
-      if (number_of[j] == nowhere) {
-        anchored[k] = true;
-      } else {
-        pieces.join(k, number_of[j]);
-      }
-    }
-    if (std::abs(heat.losses[i]) > 1e-12 * size) anchored[k] = true;
-  }
-  std::vector<bool> piece_anchored(truncated.size(), false);
-  for (std::size_t k = 0; k < truncated.size(); ++k) {
-    if (anchored[k]) piece_anchored[pieces.find(k)] = true;
-  }
-  std::vector<std::vector<std::int64_t>> loose(truncated.size());
-  for (std::size_t k = 0; k < truncated.size(); ++k) {
-    const std::size_t piece = pieces.find(k);
-    if (!piece_anchored[piece]) loose[piece].push_back(heat.points[static_cast<std::size_t>(truncated[k])]);
-  }
-  std::erase_if(loose, [](const auto& piece) { return piece.empty(); });
+  const std::vector<std::vector<std::int64_t>> loose = find_loose_pieces(heat, truncated);
   if (loose.empty()) return;
   std::vector<std::string> places;
   for (std::size_t k = 0; k < std::min<std::size_t>(3, loose.size()); ++k) places.push_back(box_text(grid, loose[k]));
   if (loose.size() > places.size()) places.push_back(std::to_string(loose.size() - places.size()) + " more");
   const Point inside = grid.position(grid.index(static_cast<std::size_t>(loose.front().front())));
-  throw Error({Issue{
-      {{}, retained_key, 0, 0},
-      "leaves " + std::string(loose.size() == 1 ? "a piece" : "pieces") +
-          " of the body without any retained point, and nothing decides its temperature: " + join(places, "; "),
-      "Cracks or voids cut it off. Retain a point of each, such as the one at " + place_text(grid, inside) + " [m]"}});
+  const std::string what = loose.size() == 1 ? "a piece" : "pieces";
+  throw Error(
+      {Issue{{{}, retained_key, 0, 0},
+             "leaves " + what +
+                 " of the body without any retained point, and nothing decides the temperature: " + join(places, "; "),
+             "Cracks or voids cut it off. Retain a point of each piece, such as the one at " +
+                 place_text(grid, inside) + " [m]"}});
 }
 
 }  // namespace peritherm

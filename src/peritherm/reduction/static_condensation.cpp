@@ -7,7 +7,6 @@ Reduction reduce(const StaticCondensation& method, FullSystem& full, const Reduc
   Lap lap;
   tell(progress, "factoring", 0.0);
   const SplitHeat split = split_heat(full, method.retained, result.notes);
-  require_few_unknowns(split.retained.size());
   const UnitLoads loads = find_unit_loads(full, split.heat);
   tell(progress, "condensing", 0.1);
   CondensedParts parts;

@@ -19,8 +19,8 @@ namespace peritherm {
 namespace {
 
 using AnswerClock = std::chrono::steady_clock;
-constexpr std::size_t most_faults = 20;     ///< that are told one by one
-constexpr double doubtful_estimate = 1e-2;  ///< relative error above which users are warned
+constexpr std::size_t most_told_loads = 20;  ///< that are told one by one
+constexpr double doubtful_estimate = 1e-2;   ///< relative error above which users are warned
 
 double passed(AnswerClock::time_point since) {
   return std::chrono::duration<double>(AnswerClock::now() - since).count();
@@ -188,9 +188,9 @@ class LoadsRun {
   void throw_faults() {
     if (faults_.empty()) return;
     const std::size_t all = faults_.size();
-    if (all > most_faults) {
-      faults_.resize(most_faults);
-      faults_.push_back({{}, "and " + std::to_string(all - most_faults) + " more of this kind", {}});
+    if (all > most_told_loads) {
+      faults_.resize(most_told_loads);
+      faults_.push_back({{}, "and " + std::to_string(all - most_told_loads) + " more of this kind", {}});
     }
     throw Error(std::move(faults_));
   }

@@ -18,17 +18,39 @@ bool is_question(const std::string& key) {
   return std::regex_match(key, known);
 }
 
-void refuse_what_is_built_in(const std::string& case_text, const std::vector<std::string>& overrides) {
+/// The overrides that are questions; those of what is built in become issues.
+std::vector<std::string> take_questions(const std::string& case_text, const std::vector<std::string>& overrides,
+                                        std::vector<Issue>& issues) {
+  std::vector<std::string> questions;
   toml::table root = toml::parse(case_text);
-  std::vector<Issue> issues;
-  for (const AppliedOverride& applied : apply_overrides(root, overrides, issues)) {
-    if (is_question(applied.key)) continue;
-    issues.push_back({{name_of_override(applied.text), applied.key, 0, 0},
+  for (const std::string& text : overrides) {
+    std::vector<Issue> ignored;  // Reading the case tells what cannot be put in.
+    const std::vector<AppliedOverride> applied = apply_overrides(root, {text}, ignored);
+    if (applied.empty() || is_question(applied.front().key)) {
+      questions.push_back(text);
+      continue;
+    }
+    issues.push_back({{name_of_override(text), applied.front().key, 0, 0},
                       "the model was built with it",
                       "Reduce the case again with it. A model answers for values of boundaries and sources, "
                       "initial.temperature, time.end and output"});
   }
+  return questions;
+}
+
+/// The model's own case with what is asked. Throws Error with `issues` and all that is wrong besides.
+ReadCase read_question(const std::string& case_text, const std::string& file,
+                       const std::vector<std::string>& overrides) {
+  std::vector<Issue> issues;
+  const std::vector<std::string> questions = take_questions(case_text, overrides, issues);
+  ReadCase read;
+  try {
+    read = read_case(case_text, file, questions, CaseUse::answer);
+  } catch (const Error& error) {
+    issues.insert(issues.end(), error.issues().begin(), error.issues().end());
+  }
   if (!issues.empty()) throw Error(std::move(issues));
+  return read;
 }
 
 std::vector<std::string> find_warnings(const ReducedModel& model, const Problem& problem) {
@@ -53,8 +75,7 @@ ModelCase make_model_case(ReducedModel model, const std::filesystem::path& file,
   ModelCase made;
   made.file = file;
   made.model = std::move(model);
-  refuse_what_is_built_in(made.model.case_text, overrides);
-  ReadCase inside = read_case(made.model.case_text, file.string() + ", its case", overrides, CaseUse::answer);
+  ReadCase inside = read_question(made.model.case_text, file.string() + ", its case", overrides);
   made.problem = std::move(inside.problem);
   made.locations = std::move(inside.locations);
   made.warnings = find_warnings(made.model, made.problem);

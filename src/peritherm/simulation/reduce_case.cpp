@@ -166,23 +166,22 @@ void ask_own_question(const ReducibleCase& reducible, ReducedCase& reduced) {
   times.insert(times.end(), full.times.begin(), full.times.end());
   const ModelQuestion question = make_question(reducible.problem, reduced.model, times);
   const std::vector<ModelState> states = answer(reduced.model, question);
+  reduced.answer_seconds = elapsed(start);
   std::vector<double> temperatures(full.present.size());
   Span span;
   reduced.estimated_error =
       reduced.model.judge.equations.rates.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
-  double looking = 0.0;
   for (const ModelState& state : states) {
+    const auto begin = ReduceClock::now();
     lift(reduced.model, state, question.level, temperatures);
-    const auto look = ReduceClock::now();
+    reduced.lift_seconds += elapsed(begin);
     for (std::size_t n = 0; n < temperatures.size(); ++n) {
       if (full.present[n]) span.include(temperatures[n]);
     }
     // What is asked about the start is exact, or projected; neither tells how the model moves.
-    if (state.time > 0.0)
-      reduced.estimated_error = std::max(reduced.estimated_error, estimated_error(reduced.model, state));
-    looking += elapsed(look);
+    if (state.time == 0.0) continue;
+    reduced.estimated_error = std::max(reduced.estimated_error, estimated_error(reduced.model, state));
   }
-  reduced.answer_seconds = elapsed(start) - looking;
   reduced.span = span.highest - span.lowest;
 }
 
@@ -219,6 +218,7 @@ ReducibleCase make_reducible(const Problem& given, const std::function<void(cons
                   problem.time.end,
                   times};
   full.memory = available_memory();
+  full.profiles = load_profiles(prepared.problem, full.loads);
   ReducibleCase reducible{prepared.problem, std::move(assembly), std::move(full), elapsed(start), std::move(notes)};
   tell_plan(reducible, static_cast<std::size_t>(prepared.bytes + bytes), on_plan);
   return reducible;
@@ -246,7 +246,12 @@ ReducedCase reduce_case(ReducibleCase& reducible, const ReductionProgress& progr
   reduced.assembly_seconds = reducible.assembly_seconds;
   reduced.setup_seconds = reduced.assembly_seconds + elapsed(start);
   ask_own_question(reducible, reduced);
-  model.estimated_error = reduced.span > 0.0 ? reduced.estimated_error / reduced.span : reduced.estimated_error;
+  if (model.judge.equations.rates.empty()) {
+    // Without a judge there is no estimate but that of the method itself.
+    reduced.estimated_error = model.estimated_error * (reduced.span > 0.0 ? reduced.span : 1.0);
+  } else {
+    model.estimated_error = reduced.span > 0.0 ? reduced.estimated_error / reduced.span : reduced.estimated_error;
+  }
   return reduced;
 }
 

@@ -37,7 +37,8 @@ struct ReducedCase {
   std::vector<std::string> notes;
   double assembly_seconds = 0.0;
   double setup_seconds = 0.0;    ///< all of it, the assembly included
-  double answer_seconds = 0.0;   ///< for its own loads at the case's output times, all points included
+  double answer_seconds = 0.0;   ///< for its own loads at the case's output times
+  double lift_seconds = 0.0;     ///< to get all points at these times from the answer
   double estimated_error = 0.0;  ///< largest rms over those times [K]; not a number without an estimate
   double span = 0.0;             ///< of its temperatures [K]
 };

@@ -69,7 +69,7 @@ Reduction reduce_plate(ReducedCase& plate, const std::string& model) {
 
 /// Compares each row of one load and one model; errors are relative to the highest temperature.
 void expect_plate(const std::string& load, const std::string& model) {
-  const Published published("galadima_2023_condensed_plate");
+  const Published published("galadima_2022_condensed_plate");
   const Problem problem = condensed_plate(load == "held");
   const PlateStates states = march_plate(problem, published, load);
   ReducedCase plate(problem);
