@@ -2,8 +2,8 @@
 #include <omp.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <optional>
 
 #include "peritherm/papers/galadima_cases.hpp"
 #include "peritherm/reduction/answer.hpp"
