@@ -4,6 +4,7 @@
 
 #include "check_property.hpp"
 #include "support/reduced_case.hpp"
+#include "support/tolerance.hpp"
 
 namespace peritherm {
 namespace {
@@ -59,6 +60,7 @@ TEST(Condensation, never_decays_more_slowly_than_the_body) {
     } catch (const Error& error) {
       // Pieces that the random choice has left alone, and bodies that are held as a whole.
       const std::string message = error.what();
+      RC_LOG(message);
       RC_ASSERT(message.find("without any retained point") != std::string::npos ||
                 message.find("selects") != std::string::npos);
     }
