@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "check_property.hpp"
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 #include "support/tolerance.hpp"
 
 namespace peritherm {
@@ -26,7 +26,7 @@ void make_reducible(Problem& problem) {
 }
 
 /// Those of the body itself: nothing is truncated.
-std::vector<double> body_rates(ReducedCase& body) {
+std::vector<double> body_rates(AssembledCase& body) {
   StaticCondensation all;
   all.retained.every = std::vector<int>{1};
   return reduce(all, body.full()).model.stages.front().equations.rates;
@@ -46,7 +46,7 @@ TEST(Condensation, never_decays_more_slowly_than_the_body) {
     Problem problem = *random_problem(request);
     make_reducible(problem);
     if (!find_faults(problem).empty()) return;
-    ReducedCase body(problem);
+    AssembledCase body(problem);
     if (!body.system().is_symmetric()) return;
     StaticCondensation method;
     method.retained.share = draw_real(0.1, 0.7);

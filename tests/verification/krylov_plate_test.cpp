@@ -4,7 +4,7 @@
 #include "peritherm/papers/galadima_cases.hpp"
 #include "peritherm/reduction/answer.hpp"
 #include "peritherm/reduction/krylov_search.hpp"
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 
 namespace peritherm {
 namespace {
@@ -59,7 +59,7 @@ class KrylovPlate {
   }
 
  private:
-  ReducedCase plate_;
+  AssembledCase plate_;
   std::vector<std::vector<double>> full_;
 };
 
