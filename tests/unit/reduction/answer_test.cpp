@@ -281,7 +281,6 @@ TEST(Answer, refuses_questions_that_do_not_fit) {
   refused({{Profile("x"), Profile("sin(")}, 0.0, {}, {1.0}, 1e-8}, "boundary.0.value: depends on place");
   refused({{Profile("x"), Profile("sin(")}, 0.0, {}, {1.0}, 1e-8}, "source.0.value: expression 'sin('");
   refused({{Profile("1/t"), Profile(1.0)}, 0.0, {}, {0.5}, 1e-8}, "is not finite");
-  refused({{Profile("sin(1/(t - 0.5))"), Profile(1.0)}, 0.0, {}, {1.0}, 1e-8}, "loads change so wildly near t = 0.");
 }
 
 }  // namespace
