@@ -19,11 +19,11 @@ struct Section {
 };
 
 const std::vector<Section>& sections() {
-  static const std::vector<Section> all{{"limits", measure_limits},       {"operator", measure_operators},
-                                        {"baselines", measure_baselines}, {"crack", measure_cracks},
-                                        {"stage", measure_stages},        {"setup", measure_setup},
-                                        {"threads", measure_threads},     {"memory", measure_memory},
-                                        {"solution", measure_solutions},  {"growth", measure_growth}};
+  static const std::vector<Section> all{
+      {"limits", measure_limits},   {"operator", measure_operators},  {"baselines", measure_baselines},
+      {"crack", measure_cracks},    {"stage", measure_stages},        {"setup", measure_setup},
+      {"threads", measure_threads}, {"memory", measure_memory},       {"solution", measure_solutions},
+      {"growth", measure_growth},   {"reduction", measure_reductions}};
   return all;
 }
 

@@ -33,6 +33,8 @@ void measure_memory(const Settings& settings, Report& report);
 void measure_solutions(const Settings& settings, Report& report);
 /// Cost per point of small and of large bodies.
 void measure_growth(const Settings& settings, Report& report);
+/// What it costs to reduce a large plate, and what many answers save on a small one.
+void measure_reductions(const Settings& settings, Report& report);
 
 /// What measure_memory starts in a process of its own: runs a body of this size and prints how far the memory grew.
 void print_memory_of_run(int dimension, int cells);

@@ -37,20 +37,31 @@ IntegralSeries make_integral_series() {
   return series;
 }
 
+/// 1/n; a product costs a fraction of a division.
+constexpr int series_terms = 200;
+constexpr std::array<double, series_terms + degrees + 1> make_reciprocals() {
+  std::array<double, series_terms + degrees + 1> values{};
+  for (std::size_t n = 1; n < values.size(); ++n) values[n] = 1.0 / static_cast<double>(n);
+  return values;
+}
+constexpr auto reciprocals = make_reciprocals();
+
 /// ∫ exp(−z (1 − s)) s^k ds = exp(−z) Σ_n z^n/n! ∫ s^(n+k) ds: all terms of one sign.
 void sum_final_series(double z, int degree, ExponentialMoments& moments) {
   std::array<double, degrees> sums{};
   double term = 1.0;
-  for (int n = 0; n < 200; ++n) {
-    for (int k = n % 2; k <= degree; k += 2) sums[static_cast<std::size_t>(k)] += term * (2.0 / (n + k + 1));
-    term *= z / (n + 1);
+  for (int n = 0; n < series_terms; ++n) {
+    for (int k = n % 2; k <= degree; k += 2) {
+      sums[static_cast<std::size_t>(k)] += term * reciprocals[static_cast<std::size_t>(n + k + 1)];
+    }
+    term *= z * reciprocals[static_cast<std::size_t>(n + 1)];
     // Of the sums of odd degree the first term is z/(k + 2), so what is left out is compared with that.
     if (n > 1 && n > z &&
         std::abs(term) <= 0.01 * std::numeric_limits<double>::epsilon() * std::min(1.0, std::abs(z))) {
       break;
     }
   }
-  const double scale = std::exp(-z);
+  const double scale = 2.0 * std::exp(-z);
   for (int k = 0; k <= degree; ++k) {
     moments.final[static_cast<std::size_t>(k)] = scale * sums[static_cast<std::size_t>(k)];
   }

@@ -12,7 +12,7 @@ namespace peritherm {
 namespace {
 
 /// Of the tolerance of the reduction: what the run adds is not to be mistaken for what directions leave out.
-constexpr double exact_run_share = 0.01, stepped_run_share = 0.1;
+constexpr double run_share = 0.05;
 constexpr double finest_run_tolerance = 1e-12;
 
 std::vector<double> snapshot_times(const FullSystem& full, double shortest_time, int count, bool changes) {
@@ -31,14 +31,8 @@ std::vector<double> snapshot_times(const FullSystem& full, double shortest_time,
   return times;
 }
 
-TimeStepping run_stepping(ThermalSystem& system, const std::vector<double>& times, double tolerance) {
-  TimeStepping stepping = choose_stepping(AutomaticStepping{}, system, 0.0, times).stepping;
-  if (auto* exact = std::get_if<Chebyshev>(&stepping)) {
-    exact->relative_tolerance = std::clamp(exact_run_share * tolerance, finest_run_tolerance, 1e-8);
-  } else if (auto* stepped = std::get_if<RungeKuttaLegendre>(&stepping)) {
-    stepped->relative_tolerance = std::clamp(stepped_run_share * tolerance, finest_run_tolerance, 1e-5);
-  }
-  return stepping;
+AutomaticStepping run_stepping(double tolerance) {
+  return {std::clamp(run_share * tolerance, finest_run_tolerance, 1e-5)};
 }
 
 bool loads_change(const FullSystem& full) {
@@ -129,13 +123,17 @@ Snapshots run_for_snapshots(FullSystem& full, double shortest_time, int count, d
   };
   bool goes_on = keep(0.0, state);
   const std::vector<double> times = snapshot_times(full, shortest_time, count, changes);
-  const auto integrator = make_integrator(run_stepping(system, times, tolerance), system);
+  const auto integrator = make_integrator(run_stepping(tolerance), system);
   MarchFollower follower;
   follower.after_step = [](double, ConstField) { return true; };
   follower.at_time = [&](double time, Field values) {
     system.fill(time, values);
     goes_on = keep(time, values);
     return goes_on;
+  };
+  // Long steps are told apart too, so that a run can be stopped within one.
+  follower.within_step = [&](double time) {
+    return goes_on = !progress || progress("full run", time / full.longest_time);
   };
   if (goes_on) integrator->march(0.0, times, state, follower);
   if (!goes_on) throw Error("the reduction was stopped", "");

@@ -246,7 +246,12 @@ ReducedCase reduce_case(ReducibleCase& reducible, const ReductionProgress& progr
   reduced.assembly_seconds = reducible.assembly_seconds;
   reduced.setup_seconds = reduced.assembly_seconds + elapsed(start);
   ask_own_question(reducible, reduced);
-  model.estimated_error = reduced.span > 0.0 ? reduced.estimated_error / reduced.span : reduced.estimated_error;
+  if (model.judge.equations.rates.empty()) {
+    // Without a judge there is no estimate but that of the method itself.
+    reduced.estimated_error = model.estimated_error * (reduced.span > 0.0 ? reduced.span : 1.0);
+  } else {
+    model.estimated_error = reduced.span > 0.0 ? reduced.estimated_error / reduced.span : reduced.estimated_error;
+  }
   return reduced;
 }
 
