@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "support/published.hpp"
 #include "support/assembled_case.hpp"
+#include "support/published.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "support/published.hpp"
 #include "support/assembled_case.hpp"
+#include "support/published.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {
