@@ -1,11 +1,11 @@
 #include "check_property.hpp"
 #include "peritherm/reduction/krylov_search.hpp"
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 
 namespace peritherm {
 namespace {
 
-std::unique_ptr<ReducedCase> random_reduced_case(BodyRequest request, bool closed) {
+std::unique_ptr<AssembledCase> random_reduced_case(BodyRequest request, bool closed) {
   request.expressions = false;
   request.most_cells = 8;
   Problem problem = *random_problem(request);
@@ -22,7 +22,7 @@ std::unique_ptr<ReducedCase> random_reduced_case(BodyRequest request, bool close
   }
   problem.numerics.backend = draw_chance(50) ? BackendName::stencil : BackendName::bond;
   RC_PRE(find_faults(problem).empty());
-  auto body = std::make_unique<ReducedCase>(problem, closed ? 0.1 : 0.0);
+  auto body = std::make_unique<AssembledCase>(problem, closed ? 0.1 : 0.0);
   RC_PRE(body->system().is_symmetric());
   RC_PRE(body->system().fastest_rate() > 0.0);
   RC_PRE(!body->system().body_changes_within(0.0, body->full().longest_time));

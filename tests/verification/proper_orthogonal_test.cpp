@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/papers/galadima_cases.hpp"
 #include "support/full_case.hpp"
 
 namespace peritherm {
@@ -84,6 +85,26 @@ TEST(ProperOrthogonal, follows_a_crack_that_grows) {
   standing.stages = {model.stages.front()};
   standing.stages[0].end = std::numeric_limits<double>::infinity();
   EXPECT_GE(largest_difference(standing, full.question({0.3}), problem, RungeKutta4{{}, 0.2}).rms, 0.05);
+}
+
+TEST(ProperOrthogonal, needs_no_more_unknowns_than_the_prototype) {
+  Problem problem = galadima_plate(PlateLoad::held);
+  const std::vector<double> times{1e-6, 5e-6, 2e-5, 7e-5, 2e-4, 7e-4, 3.5e-3, 7e-3};
+  FullCase full(problem, times, 0.0);
+  // Largest error over all points and these times, from 120 snapshots, by an independent program.
+  for (const auto& [unknowns, error] : {std::pair{12, 5e-5}, {18, 3.6e-7}, {24, 4e-9}}) {
+    ProperOrthogonal method;
+    method.tolerance = 1e-10;
+    method.most_unknowns = unknowns;
+    const Reduction reduction = reduce(method, full.full());
+    EXPECT_EQ(reduction.model.unknowns(), static_cast<std::size_t>(unknowns));
+    const Difference difference = largest_difference(reduction.model, full.question(times), problem, Chebyshev{1e-12});
+    EXPECT_LE(difference.largest, 1.5 * error) << unknowns;
+    // What the method says about itself is what is true at the snapshots, of which these times are some.
+    EXPECT_LE(difference.rms, reduction.model.estimated_error) << unknowns;
+    EXPECT_GE(difference.rms, 0.2 * reduction.model.estimated_error) << unknowns;
+    RecordProperty("error_" + std::to_string(unknowns), std::to_string(difference.largest));
+  }
 }
 
 TEST(ProperOrthogonal, needs_the_profiles_of_the_case) {

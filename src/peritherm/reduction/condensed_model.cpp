@@ -168,7 +168,7 @@ class CondensedModelBuilder {
       if (parts_.start == ModelStart::sampled) equations.start_gains = derivative_gains_;
     }
     equations.rates = std::move(rates);
-    model_.stages.push_back({std::numeric_limits<double>::infinity(), std::move(equations), {}});
+    model_.stages.push_back({std::numeric_limits<double>::infinity(), std::move(equations), {}, {}});
   }
 
   /// direct = held + statics + shapes · modes · (gains of the derivatives).

@@ -137,6 +137,7 @@ void fill_model(const HeatBasis& basis, const InputStates& inputs, const FullSys
   model.shortest_time = full.shortest_time;
   model.longest_time = full.longest_time;
   model.judge = {};
+  model.stages.clear();
   if (judged > 0) {
     ProjectedEquations judge = project_equations(basis, judged, gains);
     // The judge's states are among the model's; the modes of both turn them.
@@ -149,7 +150,9 @@ void fill_model(const HeatBasis& basis, const InputStates& inputs, const FullSys
     std::copy(cross.values.begin(), cross.values.end(), model.judge.cross.values.begin());
     model.judge.equations = std::move(judge.equations);
   }
-  model.stages = {{std::numeric_limits<double>::infinity(), std::move(projected.equations), {}}};
+  ModalStage& stage = model.stages.emplace_back();
+  stage.end = std::numeric_limits<double>::infinity();
+  stage.equations = std::move(projected.equations);
 }
 
 }  // namespace peritherm

@@ -48,7 +48,7 @@ Matrix inverse_of(Matrix a, const std::string& key) {
   return inverse;
 }
 
-std::string place_text(const Point& place) {
+std::string load_place_text(const Point& place) {
   return "x = " + shortest(place[0]) + " m, y = " + shortest(place[1]) + " m, z = " + shortest(place[2]) + " m";
 }
 
@@ -139,7 +139,7 @@ void LoadReader::check(std::size_t place, double time, std::span<const double> i
 void LoadReader::refuse(std::size_t place, double time, double missed) const {
   throw Error({{{{}, frame_->load.key, 0, 0},
                 "is no combination of the patterns in space that the model was built for: at " +
-                    place_text(frame_->load.places[frame_->inverse.rows + place]) + ", t = " + shortest(time) +
+                    load_place_text(frame_->load.places[frame_->inverse.rows + place]) + ", t = " + shortest(time) +
                     " s they miss it by " + shortest(missed),
                 "The model was not built for it; reduce the case again with this load"}});
 }

@@ -36,7 +36,7 @@ is the k-th field over all points of the grid, x fastest). With inputs u(t), one
 with basis = dense, or modes @ shapes.T (shapes: compressed sparse rows begin, column_of, values). The unknowns are
 z = y @ stages/i/modes (z = y where that is empty), and while t <= stages/ends[i] they follow
 
-  dy/dt = -rates * y + u @ gains,    y(0) = (start - level) * capacities @ basis.T - u(0) @ start_gains.
+  dy/dt = -rates * y + u @ gains,    y(0) = modes @ z0 - u(0) @ start_gains,    z0 = (start - level) * capacities @ basis.T.
 
 If retained is not empty and start is sampled, the start of the shapes of retained points is their own temperature.
 Inputs: a load is sum_k u_k(t) * (expression of shape k at its own fixed time); loads of kind temperature are counted

@@ -25,7 +25,7 @@ struct ModalStage {
   ModalEquations equations;
   Matrix modes;  ///< r × r, orthogonal; empty: z = y
   /// a × (r + m): rates of heat through the accounts from (z, u) in this stage [W]; empty: those of HeatOutputs.
-  Matrix heats;
+  Matrix heats{};
   bool operator==(const ModalStage&) const = default;
 };
 

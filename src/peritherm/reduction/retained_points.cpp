@@ -176,10 +176,9 @@ std::vector<std::vector<std::int64_t>> find_loose_pieces(const SparseHeat& heat,
   const SparseMatrix& matrix = heat.conductances;
   for (std::size_t k = 0; k < truncated.size(); ++k) {
     const auto i = static_cast<std::size_t>(truncated[k]);
-    double size = 0.0;
+    if (heat.losses[i] != 0.0) anchored[k] = true;
     for (auto n = static_cast<std::size_t>(matrix.begin[i]); n < static_cast<std::size_t>(matrix.begin[i + 1]); ++n) {
       const auto j = static_cast<std::size_t>(matrix.column_of[n]);
-      size += std::abs(matrix.values[n]);
       if (j == i || matrix.values[n] == 0.0) continue;
       if (number_of[j] == nowhere) {
         anchored[k] = true;
@@ -187,7 +186,6 @@ std::vector<std::vector<std::int64_t>> find_loose_pieces(const SparseHeat& heat,
         pieces.join(k, number_of[j]);
       }
     }
-    if (std::abs(heat.losses[i]) > 1e-12 * size) anchored[k] = true;
   }
   std::vector<bool> piece_anchored(truncated.size(), false);
   for (std::size_t k = 0; k < truncated.size(); ++k) {

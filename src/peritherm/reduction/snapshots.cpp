@@ -131,6 +131,10 @@ Snapshots run_for_snapshots(FullSystem& full, double shortest_time, int count, d
     goes_on = keep(time, values);
     return goes_on;
   };
+  // Long steps are told apart too, so that a run can be stopped within one.
+  follower.within_step = [&](double time) {
+    return goes_on = !progress || progress("full run", time / full.longest_time);
+  };
   if (goes_on) integrator->march(0.0, times, state, follower);
   if (!goes_on) throw Error("the reduction was stopped", "");
   cost.evaluations += integrator->count().evaluations;

@@ -80,11 +80,21 @@ class ColouredProbe {
   GridIndex reach_{}, period_{};
 };
 
-/// Transforms leave rounding where there is no bond.
-bool is_rounding(const std::vector<double>& diagonal, std::size_t i, std::size_t j, double value) {
-  constexpr double share = 1e-13;
-  return std::abs(value) <= share * std::sqrt(diagonal[i] * diagonal[j]);
-}
+/// Sums that cancel, and transforms, leave rounding where there is no bond; relative to the fastest point's loss.
+class RoundingLevel {
+ public:
+  RoundingLevel(const SparseHeat& heat, const std::vector<double>& diagonal) : capacities_(heat.capacities) {
+    for (std::size_t i = 0; i < diagonal.size(); ++i) rate_ = std::max(rate_, share * diagonal[i] / capacities_[i]);
+  }
+  bool covers(std::size_t i, std::size_t j, double value) const {
+    return std::abs(value) <= rate_ * std::sqrt(capacities_[i] * capacities_[j]);
+  }
+
+ private:
+  static constexpr double share = 1e-14;
+  const std::vector<double>& capacities_;
+  double rate_ = 0.0;
+};
 
 void sort_rows(SparseMatrix& matrix) {
   std::vector<std::pair<std::int32_t, double>> row;
@@ -120,12 +130,10 @@ void balance(SparseHeat& heat) {
     for (auto n = static_cast<std::size_t>(matrix.begin[i]); n < static_cast<std::size_t>(matrix.begin[i + 1]); ++n) {
       const auto j = static_cast<std::size_t>(matrix.column_of[n]);
       if (j == i) diagonals[i] = n;
-      if (j >= i) continue;
+      if (j == i) continue;
       const std::size_t other = find_entry(matrix, j, i);
-      if (other == std::numeric_limits<std::size_t>::max()) {
-        matrix.values[n] = 0.0;
-        continue;
-      }
+      if (other == std::numeric_limits<std::size_t>::max()) matrix.values[n] = 0.0;
+      if (j > i || matrix.values[n] == 0.0) continue;
       matrix.values[n] = matrix.values[other] = 0.5 * (matrix.values[n] + matrix.values[other]);
       sums[i] += matrix.values[n];
       sums[j] += matrix.values[n];
@@ -171,8 +179,9 @@ SparseHeat make_sparse_heat(ThermalSystem& system, const PaddedGrid& layout, Con
   probe([&](std::size_t i, std::size_t j, double value) {
     if (i == j) diagonal[i] = value;
   });
+  const RoundingLevel level(heat, diagonal);
   probe([&](std::size_t i, std::size_t j, double value) {
-    if (i != j && !is_rounding(diagonal, i, j, value)) ++fill[i + 1];
+    if (i != j && !level.covers(i, j, value)) ++fill[i + 1];
   });
   for (std::size_t i = 0; i < heat.size(); ++i) fill[i + 1] += fill[i] + 1;
   SparseMatrix& matrix = heat.conductances;
@@ -187,10 +196,13 @@ SparseHeat make_sparse_heat(ThermalSystem& system, const PaddedGrid& layout, Con
   };
   for (std::size_t i = 0; i < heat.size(); ++i) put(i, i, diagonal[i]);
   probe([&](std::size_t i, std::size_t j, double value) {
-    if (i != j && !is_rounding(diagonal, i, j, value)) put(i, j, value);
+    if (i != j && !level.covers(i, j, value)) put(i, j, value);
   });
   sort_rows(matrix);
   heat.losses = find_losses(system, layout, heat);
+  for (std::size_t i = 0; i < heat.size(); ++i) {
+    if (level.covers(i, i, heat.losses[i])) heat.losses[i] = 0.0;
+  }
   balance(heat);
   return heat;
 }

@@ -13,7 +13,7 @@ namespace peritherm {
 struct SparseHeat {
   std::vector<std::int64_t> points;  ///< number in the grid of each of the n free points, ascending
   std::vector<double> capacities;    ///< n, C [J/K]
-  std::vector<double> losses;        ///< n, Σ_j K_ij: to what is held, and by convection [W/K]
+  std::vector<double> losses;        ///< n, Σ_j K_ij: to what is held, and by convection [W/K]; 0 but for real ones
   SparseMatrix conductances;         ///< n × n, K [W/K]: symmetric, the diagonal always there
   std::size_t size() const { return points.size(); }
 };

@@ -5,6 +5,7 @@
 
 #include "peritherm/base/file.hpp"
 #include "peritherm/base/version.hpp"
+#include "peritherm/reduction/micro_conductivity.hpp"
 #include "peritherm/reduction/model_file.hpp"
 #include "peritherm/simulation/memory.hpp"
 #include "peritherm/simulation/write.hpp"
@@ -13,6 +14,8 @@ namespace peritherm {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_tabled_points = 500;
 
 /// JSON has no word for what is not a number.
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -56,44 +59,70 @@ Json describe_verification(const ModelVerification& verification, const ReducedC
       {"probes", probes}};
 }
 
+/// What condensation makes of the bonds between retained points: a row per pair, so only for few of them.
+bool write_bonds(ReducibleCase& reducible, const ReducedCase& reduced, const std::filesystem::path& folder) {
+  const std::size_t retained = reduced.model.retained.size();
+  if (retained == 0 || retained > most_tabled_points) return false;
+  const Body& body = reducible.assembly.geometry.body;
+  std::vector<double> volumes(body.grid.size());
+  for (std::size_t n = 0; n < volumes.size(); ++n) {
+    volumes[n] = body.grid.cell_volume() * body.volume_share(body.grid.index(n));
+  }
+  const RetainedPoints choice = std::visit(
+      [](const auto& method) {
+        if constexpr (requires { method.retained; }) return method.retained;
+        return RetainedPoints{};
+      },
+      reduced.model.method);
+  write_micro_conductivity(condensed_micro_conductivity(choice, reducible.full, volumes), body.grid,
+                           folder / "micro_conductivity.csv");
+  return true;
+}
+
+Json describe_reduction(const ReducibleCase& reducible, const ReducedCase& reduced) {
+  const ReducedModel& model = reduced.model;
+  const ReductionCost& cost = reduced.cost;
+  return {{"version", std::string(version())},
+          {"method", std::visit([](const auto& chosen) { return std::string(chosen.name); }, model.method)},
+          {"points", reducible.full.present.size()},
+          {"unknowns", model.unknowns()},
+          {"retained_points", model.retained.size()},
+          {"inputs", model.inputs()},
+          {"loads", describe_loads(model)},
+          {"shortest_time_s", model.shortest_time},
+          {"longest_time_s", model.longest_time},
+          {"estimated_error_rms_K", number_or_null(reduced.estimated_error)},
+          {"estimated_error_relative", number_or_null(model.estimated_error)},
+          {"span_K", reduced.span},
+          {"set_up_s", reduced.setup_seconds},
+          {"assembly_s", reduced.assembly_seconds},
+          {"solves_s", cost.solves},
+          {"projection_s", cost.projection},
+          {"modes_s", cost.modes},
+          {"full_run_s", cost.run},
+          {"evaluations", cost.evaluations},
+          {"answer_s", reduced.answer_seconds},
+          {"lift_s", reduced.lift_seconds},
+          {"reduction_peak_bytes", cost.peak_bytes},
+          {"peak_memory_bytes", peak_memory()},
+          {"notes", reduced.notes}};
+}
+
 }  // namespace
 
-std::vector<std::filesystem::path> write_reduction(const ReducibleCase& reducible, const ReducedCase& reduced,
+std::vector<std::filesystem::path> write_reduction(ReducibleCase& reducible, const ReducedCase& reduced,
                                                    const std::optional<ModelVerification>& verification,
                                                    const std::filesystem::path& folder) {
-  const ReducedModel& model = reduced.model;
-  write_model(model, folder / "model.h5");
+  write_model(reduced.model, folder / "model.h5");
   write_file(folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +
                                            "; reducing it again reproduces the model.\n" +
                                            write_problem(reducible.problem));
-  const ReductionCost& cost = reduced.cost;
-  Json json{{"version", std::string(version())},
-            {"method", std::visit([](const auto& chosen) { return std::string(chosen.name); }, model.method)},
-            {"points", reducible.full.present.size()},
-            {"unknowns", model.unknowns()},
-            {"retained_points", model.retained.size()},
-            {"inputs", model.inputs()},
-            {"loads", describe_loads(model)},
-            {"shortest_time_s", model.shortest_time},
-            {"longest_time_s", model.longest_time},
-            {"estimated_error_rms_K", number_or_null(reduced.estimated_error)},
-            {"estimated_error_relative", number_or_null(model.estimated_error)},
-            {"span_K", reduced.span},
-            {"set_up_s", reduced.setup_seconds},
-            {"assembly_s", reduced.assembly_seconds},
-            {"solves_s", cost.solves},
-            {"projection_s", cost.projection},
-            {"modes_s", cost.modes},
-            {"full_run_s", cost.run},
-            {"evaluations", cost.evaluations},
-            {"answer_s", reduced.answer_seconds},
-            {"lift_s", reduced.lift_seconds},
-            {"reduction_peak_bytes", cost.peak_bytes},
-            {"peak_memory_bytes", peak_memory()},
-            {"notes", reduced.notes}};
+  Json json = describe_reduction(reducible, reduced);
   if (verification) json["verification"] = describe_verification(*verification, reduced);
   write_file(folder / "reduction.json", json.dump(2) + "\n");
-  return {folder / "model.h5", folder / "reduction.json", folder / "resolved.toml"};
+  std::vector<std::filesystem::path> files{folder / "model.h5", folder / "reduction.json", folder / "resolved.toml"};
+  if (write_bonds(reducible, reduced, folder)) files.push_back(folder / "micro_conductivity.csv");
+  return files;
 }
 
 }  // namespace peritherm

@@ -9,8 +9,9 @@
 
 namespace peritherm {
 
-/// Writes model.h5, resolved.toml and reduction.json into a folder that is there; returns their paths.
-std::vector<std::filesystem::path> write_reduction(const ReducibleCase& reducible, const ReducedCase& reduced,
+/// Writes model.h5, resolved.toml and reduction.json into a folder that is there, and micro_conductivity.csv of a model
+/// with few retained points; returns their paths.
+std::vector<std::filesystem::path> write_reduction(ReducibleCase& reducible, const ReducedCase& reduced,
                                                    const std::optional<ModelVerification>& verification,
                                                    const std::filesystem::path& folder);
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "support/published.hpp"
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {
@@ -28,7 +28,7 @@ Problem condensed_bar(int exponent) {
   return problem;
 }
 
-ReducedModel condense_bar(ReducedCase& bar, int every, CondensedCapacity capacity) {
+ReducedModel condense_bar(AssembledCase& bar, int every, CondensedCapacity capacity) {
   StaticCondensation method;
   method.retained.every = std::vector<int>{every};
   method.start = ModelStart::sampled;
@@ -37,7 +37,7 @@ ReducedModel condense_bar(ReducedCase& bar, int every, CondensedCapacity capacit
 }
 
 /// Largest difference at retained points; with every point retained a model is the full system, diagonalised.
-double bar_error(ReducedCase& bar, const ReducedModel& model, const ReducedModel& full, double time) {
+double bar_error(AssembledCase& bar, const ReducedModel& model, const ReducedModel& full, double time) {
   const std::vector<double> found = model_temperatures(model, bar.inputs(), bar.start(), time);
   const std::vector<double> right = model_temperatures(full, bar.inputs(), bar.start(), time);
   double largest = 0.0;
@@ -48,7 +48,7 @@ double bar_error(ReducedCase& bar, const ReducedModel& model, const ReducedModel
 }
 
 /// What the table says of a model.
-double bar_value(const Published& published, std::size_t row, ReducedCase& bar, const ReducedModel& model,
+double bar_value(const Published& published, std::size_t row, AssembledCase& bar, const ReducedModel& model,
                  const ReducedModel& full) {
   const std::string quantity = published.text(row, "quantity");
   const std::vector<double>& rates = model.stages.front().equations.rates;
@@ -63,7 +63,7 @@ TEST(CondensedBars, agree_with_the_reference) {
   const Published published("galadima_2022_condensed_bars");
   std::size_t compared = 0;
   for (const int exponent : {0, 1, 2}) {
-    ReducedCase bar(condensed_bar(exponent));
+    AssembledCase bar(condensed_bar(exponent));
     const ReducedModel full = condense_bar(bar, 1, CondensedCapacity::consistent);
     std::map<std::pair<int, std::string>, ReducedModel> models;
     for (std::size_t row = 0; row < published.size(); ++row) {

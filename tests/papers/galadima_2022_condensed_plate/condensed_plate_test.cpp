@@ -5,7 +5,7 @@
 #include <map>
 
 #include "support/published.hpp"
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {
@@ -50,7 +50,7 @@ PlateStates march_plate(const Problem& problem, const Published& published, cons
   return states;
 }
 
-Reduction reduce_plate(ReducedCase& plate, const std::string& model) {
+Reduction reduce_plate(AssembledCase& plate, const std::string& model) {
   if (model.starts_with("modes")) {
     CraigBampton method;
     method.retained.every = std::vector<int>{model.ends_with("_10") ? 10 : 4};
@@ -72,7 +72,7 @@ void expect_plate(const std::string& load, const std::string& model) {
   const Published published("galadima_2022_condensed_plate");
   const Problem problem = condensed_plate(load == "held");
   const PlateStates states = march_plate(problem, published, load);
-  ReducedCase plate(problem);
+  AssembledCase plate(problem);
   const Reduction reduction = reduce_plate(plate, model);
   std::size_t compared = 0;
   for (std::size_t row = 0; row < published.size(); ++row) {

@@ -207,6 +207,52 @@ TEST(Answer, is_judged_by_a_finer_model) {
   }
 }
 
+TEST(Answer, is_the_same_for_sparse_shapes_and_their_modes) {
+  const ReducedModel dense = bar.model(5);
+  std::vector<double> start(bar.points + 2, 0.0);
+  for (std::size_t n = 0; n < bar.points; ++n) start[n] = std::cos(static_cast<double>(n));
+  const ModelQuestion question{{Profile("t"), Profile(1.0)}, 0.0, start, {0.0, 0.02, 1.0}, 1e-10};
+  const auto expected = answer(dense, question);
+  for (const ModelStart kind : {ModelStart::projected, ModelStart::sampled}) {
+    for (const bool lumped : {false, true}) {
+      // Every free point is retained, so sampling loses nothing, nor do capacities of 1 change when they are lumped.
+      ReducedModel model = dense;
+      model.basis = {};
+      model.basis.shapes.columns = bar.points;
+      model.basis.modes = Matrix(bar.points, 5);
+      for (std::size_t n = 0; n < bar.points + 2; ++n) {
+        if (n < bar.points) {
+          model.basis.shapes.column_of.push_back(static_cast<std::int32_t>(n));
+          model.basis.shapes.values.push_back(1.0);
+          model.retained.push_back(static_cast<std::int64_t>(n));
+          for (std::size_t k = 0; k < 5; ++k) model.basis.modes(n, k) = bar.mode(n, k);
+        }
+        model.basis.shapes.begin.push_back(static_cast<std::int64_t>(model.basis.shapes.values.size()));
+      }
+      if (lumped) model.lumped_capacities.assign(bar.points, 1.0);
+      model.start = kind;
+      const auto states = answer(model, question);
+      const PointWeight weights[] = {{3, 0.25}, {4, 0.75}};
+      const ModelProbe probe = make_probe(model, weights);
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        const std::vector<double> values = lifted(model, states[i], 0.0), right = lifted(dense, expected[i], 0.0);
+        for (std::size_t n = 0; n < values.size(); ++n) EXPECT_NEAR(values[n], right[n], 1e-14);
+        EXPECT_NEAR(probe.temperature(states[i], 0.0), 0.25 * right[3] + 0.75 * right[4], 1e-14);
+      }
+    }
+  }
+}
+
+TEST(Answer, takes_inputs_off_the_start_where_they_act_at_once) {
+  // y(0) = −Σ mode · u(0): the start of unknowns that are counted from the temperature of the walls.
+  ReducedModel model = bar.model(bar.points);
+  ModalEquations& equations = model.stages[0].equations;
+  equations.start_gains = Matrix(bar.points, 2);
+  for (std::size_t k = 0; k < bar.points; ++k) equations.start_gains(k, 0) = model.heat.stored_modes[k];
+  const auto state = answer(model, {{Profile(2.0), Profile(0.0)}, 0.0, {}, {0.0}, 1e-8}).back();
+  for (std::size_t n = 0; n < bar.points; ++n) EXPECT_NEAR(lifted(model, state, 0.0)[n], -2.0, 1e-13);
+}
+
 TEST(Answer, counts_what_of_the_start_is_left_out) {
   ReducedModel model = bar.model(5);
   model.judge.equations = bar.model(4).stages[0].equations;
@@ -235,7 +281,6 @@ TEST(Answer, refuses_questions_that_do_not_fit) {
   refused({{Profile("x"), Profile("sin(")}, 0.0, {}, {1.0}, 1e-8}, "boundary.0.value: depends on place");
   refused({{Profile("x"), Profile("sin(")}, 0.0, {}, {1.0}, 1e-8}, "source.0.value: expression 'sin('");
   refused({{Profile("1/t"), Profile(1.0)}, 0.0, {}, {0.5}, 1e-8}, "is not finite");
-  refused({{Profile("sin(1/(t - 0.5))"), Profile(1.0)}, 0.0, {}, {1.0}, 1e-8}, "loads change so wildly near t = 0.");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "peritherm/reduction/symmetric_modes.hpp"
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 #include "support/run_problem.hpp"
 #include "support/tolerance.hpp"
 
@@ -54,7 +54,7 @@ double heat_of(const std::vector<double>& capacities) {
 }
 
 TEST(Condensation, shares_are_positive_and_pass_on_constants) {
-  ReducedCase plate(heated_plate());
+  AssembledCase plate(heated_plate());
   std::vector<std::string> notes;
   const SplitHeat split = split_heat(plate.full(), condense_every(3).retained, notes);
   for (const double drop : {0.0, 1e-10, 1e-3}) {
@@ -73,7 +73,7 @@ TEST(Condensation, shares_are_positive_and_pass_on_constants) {
 }
 
 TEST(Condensation, keeps_the_heat_capacity_of_the_body) {
-  ReducedCase plate(heated_plate());
+  AssembledCase plate(heated_plate());
   StaticCondensation method = condense_every(2);
   method.capacity = CondensedCapacity::lumped;
   const ReducedModel lumped = reduce(method, plate.full()).model;
@@ -100,7 +100,7 @@ void expect_heat_kept(const ReducedModel& model) {
 }
 
 TEST(Condensation, loses_and_gains_no_heat) {
-  ReducedCase plate(heated_plate());
+  AssembledCase plate(heated_plate());
   expect_heat_kept(reduce(condense_every(2), plate.full()).model);
   CraigBampton modes;
   modes.retained.every = std::vector<int>{4};
@@ -113,7 +113,7 @@ TEST(Condensation, leaves_a_body_at_the_temperature_of_its_surroundings_as_it_is
   problem.sources.clear();
   problem.boundaries.pop_back();
   problem.initial.temperature = Profile(2.0);
-  ReducedCase plate(problem);
+  AssembledCase plate(problem);
   for (const CondensedCapacity capacity : {CondensedCapacity::consistent, CondensedCapacity::lumped}) {
     for (const ModelStart start : {ModelStart::projected, ModelStart::sampled}) {
       StaticCondensation method = condense_every(3);
@@ -134,14 +134,14 @@ TEST(Condensation, with_every_point_retained_is_the_body_itself) {
   problem.time.integrator = Chebyshev{1e-12};
   March run(problem);
   run.advance_to(0.02);
-  ReducedCase plate(problem);
+  AssembledCase plate(problem);
   const ReducedModel model = reduce(condense_every(1), plate.full()).model;
   const std::vector<double> found = model_temperatures(model, plate.inputs(), plate.start(), 0.02);
   EXPECT_LT(largest_difference(found, run.temperatures()), 1e-10);
 }
 
 TEST(Condensation, ends_where_the_body_ends) {
-  ReducedCase plate(cooled_plate());
+  AssembledCase plate(cooled_plate());
   const ReducedModel full = reduce(condense_every(1), plate.full()).model;
   const ReducedModel model = reduce(condense_every(3), plate.full()).model;
   const double late = 50.0 / full.stages.front().equations.rates.front();
@@ -161,7 +161,7 @@ TEST(Condensation, ends_where_the_body_ends) {
 TEST(CraigBamptonModes, make_the_model_exact_when_there_are_all_of_them) {
   Problem problem = cooled_plate();
   problem.initial.temperature = Profile("x + y^2");
-  ReducedCase plate(problem);
+  AssembledCase plate(problem);
   const ReducedModel full = reduce(condense_every(1), plate.full()).model;
   CraigBampton method;
   method.retained.every = std::vector<int>{4};
@@ -177,7 +177,7 @@ TEST(CraigBamptonModes, make_the_model_exact_when_there_are_all_of_them) {
 }
 
 TEST(CraigBamptonModes, are_the_slowest_of_the_truncated_points) {
-  ReducedCase plate(heated_plate());
+  AssembledCase plate(heated_plate());
   std::vector<std::string> notes;
   const SplitHeat split = split_heat(plate.full(), condense_every(4).retained, notes);
   const std::size_t size = split.truncated.size();
@@ -202,7 +202,7 @@ TEST(CraigBamptonModes, are_the_slowest_of_the_truncated_points) {
 }
 
 TEST(Condensation, refuses_what_it_cannot_hold) {
-  ReducedCase plate(heated_plate());
+  AssembledCase plate(heated_plate());
   StaticCondensation method = condense_every(4);
   method.drop = 0.01;
   method.retained.every.reset();
@@ -217,7 +217,7 @@ TEST(Condensation, refuses_what_it_cannot_hold) {
 }
 
 TEST(Condensation, stops_when_told_to) {
-  ReducedCase plate(heated_plate());
+  AssembledCase plate(heated_plate());
   const auto stop = [](const std::string&, double share) { return share < 0.1; };
   EXPECT_THROW(reduce(condense_every(2), plate.full(), stop), Error);
 }
@@ -226,7 +226,7 @@ TEST(Condensation, of_a_body_whose_cracks_grow_is_refused) {
   Problem problem = heated_plate();
   problem.cracks.front().tip_speed = 10.0;
   problem.cracks.front().start_time = 0.01;
-  ReducedCase plate(problem);
+  AssembledCase plate(problem);
   EXPECT_THROW(reduce(condense_every(2), plate.full()), Error);
 }
 

@@ -5,7 +5,7 @@
 #include "peritherm/integrators/integrator.hpp"
 #include "peritherm/reduction/answer.hpp"
 #include "peritherm/reduction/krylov_search.hpp"
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {
@@ -46,14 +46,14 @@ FieldStorage rate_of(HeatSystem& system, FieldStorage state) {
 
 TEST(LoadRate, is_the_difference_that_one_load_makes) {
   const Problem problem = loaded_plate();
-  ReducedCase with(problem);
+  AssembledCase with(problem);
   const FieldStorage state = random_field(with.system().size(), 1);
   const FieldStorage all = rate_of(with.system(), state);
   for (const Load& load : with.full().loads) {
     Problem less = problem;
     const Profile value = value_of(less, load);
     value_of(less, load) = Profile(0.0);
-    ReducedCase without(less);
+    AssembledCase without(less);
     const FieldStorage rest = rate_of(without.system(), state);
     FieldStorage held(with.system().size()), rate(with.system().size());
     with.system().load_rate({load.boundary, load.source}, value, 0.0, held, rate);
@@ -67,7 +67,7 @@ TEST(LoadRate, is_the_difference_that_one_load_makes) {
 }
 
 TEST(LoadRate, refuses_a_shape_that_the_case_has_no_room_for) {
-  ReducedCase plate(loaded_plate());
+  AssembledCase plate(loaded_plate());
   FieldStorage held(plate.system().size()), rate(plate.system().size());
   EXPECT_THROW(plate.system().load_rate({0, -1}, Profile(std::string("x")), 0.0, held, rate), Error);
   EXPECT_THROW(plate.system().load_rate({-1, 5}, Profile(1.0), 0.0, held, rate), Error);
@@ -75,7 +75,7 @@ TEST(LoadRate, refuses_a_shape_that_the_case_has_no_room_for) {
 }
 
 TEST(ShiftedSolver, reaches_the_error_that_it_estimates) {
-  ReducedCase plate(loaded_plate());
+  AssembledCase plate(loaded_plate());
   const HeatBasis empty(plate.system());
   ShiftedSolver solver(plate.system(), empty.capacities());
   FieldStorage load = random_field(plate.system().size(), 2);
@@ -106,7 +106,7 @@ void add_every_point(HeatBasis& basis) {
 }
 
 /// Largest difference (rms) from the full system over a few times; all inputs as the case has them.
-double error_of_model(ReducedCase& body, const ReducedModel& model) {
+double error_of_model(AssembledCase& body, const ReducedModel& model) {
   const std::vector<double> times{0.03 * body.full().longest_time, 0.3 * body.full().longest_time,
                                   body.full().longest_time};
   ModelQuestion question;
@@ -140,7 +140,7 @@ double error_of_model(ReducedCase& body, const ReducedModel& model) {
 }
 
 TEST(Galerkin, is_exact_on_the_space_of_all_temperatures) {
-  ReducedCase plate(loaded_plate(), 0.5);
+  AssembledCase plate(loaded_plate(), 0.5);
   HeatBasis basis(plate.system());
   add_every_point(basis);
   ASSERT_EQ(basis.size(), 64U);
@@ -151,7 +151,7 @@ TEST(Galerkin, is_exact_on_the_space_of_all_temperatures) {
 }
 
 TEST(HeatBasis, drops_what_it_has_already) {
-  ReducedCase plate(loaded_plate());
+  AssembledCase plate(loaded_plate());
   HeatBasis basis(plate.system());
   std::vector<FieldStorage> states;
   for (const unsigned seed : {1U, 2U, 1U}) states.push_back(random_field(plate.system().size(), seed));
@@ -165,7 +165,7 @@ TEST(HeatBasis, drops_what_it_has_already) {
 TEST(RationalKrylov, is_as_accurate_as_was_asked_for_with_every_kind_of_load) {
   Problem problem = loaded_plate();
   problem.initial.temperature = Profile(std::string("sin(3*x) + y"));
-  ReducedCase plate(problem, 0.5);
+  AssembledCase plate(problem, 0.5);
   RationalKrylov method;
   method.tolerance = 1e-6;
   const Reduction reduction = reduce(method, plate.full());
@@ -176,7 +176,7 @@ TEST(RationalKrylov, is_as_accurate_as_was_asked_for_with_every_kind_of_load) {
 }
 
 TEST(RationalKrylov, takes_given_shifts_in_turn) {
-  ReducedCase plate(loaded_plate());
+  AssembledCase plate(loaded_plate());
   RationalKrylov method;
   method.tolerance = 1e-4;
   method.shifts = {2.0, 20.0, 200.0};
@@ -187,7 +187,7 @@ TEST(RationalKrylov, takes_given_shifts_in_turn) {
 }
 
 TEST(RationalKrylov, says_how_far_it_came_when_it_gives_up) {
-  ReducedCase plate(loaded_plate());
+  AssembledCase plate(loaded_plate());
   RationalKrylov method;
   method.most_unknowns = 8;
   try {
@@ -203,12 +203,12 @@ TEST(RationalKrylov, says_how_far_it_came_when_it_gives_up) {
 TEST(RationalKrylov, refuses_what_changes_or_conducts_one_way) {
   Problem growing = loaded_plate();
   growing.cracks[0].tip_speed = 1.0;
-  ReducedCase grows(growing);
+  AssembledCase grows(growing);
   EXPECT_THROW(reduce(RationalKrylov{}, grows.full()), Error);
   Problem tied = unit_body(2, 8, 3.0);
   tied.boundaries.push_back({Face::y_max, std::nullopt, held_at(3.0)});
   tied.boundaries.push_back({Face::x_min, std::nullopt, Insulated{Outside::slaved}});
-  ReducedCase follows(tied);
+  AssembledCase follows(tied);
   EXPECT_THROW(reduce(RationalKrylov{}, follows.full()), Error);
 }
 
@@ -216,7 +216,7 @@ TEST(RationalKrylov, keeps_the_heat_of_closed_bodies_exactly) {
   Problem problem = unit_body(2, 8, 3.0);
   problem.sources.push_back({Profile(11.0), std::nullopt});
   problem.initial.temperature = Profile(std::string("x"));
-  ReducedCase plate(problem, 0.5);
+  AssembledCase plate(problem, 0.5);
   const ReducedModel model = reduce(RationalKrylov{}, plate.full()).model;
   ModelQuestion question;
   question.level = 0.5;
@@ -229,7 +229,7 @@ TEST(RationalKrylov, keeps_the_heat_of_closed_bodies_exactly) {
 }
 
 TEST(Judge, estimates_the_error_of_a_condensed_model) {
-  ReducedCase plate(loaded_plate());
+  AssembledCase plate(loaded_plate());
   StaticCondensation method;
   Reduction reduction = reduce(method, plate.full());
   add_judge(reduction.model, plate.full(), reduction.cost);

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {
@@ -34,7 +34,7 @@ struct DiagonalSums {
   double full = 0.0, condensed = 0.0;
 };
 DiagonalSums diagonal_sums(const Problem& problem) {
-  ReducedCase bar(problem);
+  AssembledCase bar(problem);
   const std::vector<double> volumes(100, 0.01);
   DiagonalSums sums;
   for (const MicroConductivity& pair : condensed_micro_conductivity(every_fourth(), bar.full(), volumes)) {
@@ -56,7 +56,7 @@ TEST(MicroConductivity, of_condensed_bars_is_that_of_the_reference) {
 }
 
 TEST(MicroConductivity, of_the_full_bar_is_that_of_its_kernel) {
-  ReducedCase bar(kernel_bar({ConstantKernel{}, 1}, 1.0));
+  AssembledCase bar(kernel_bar({ConstantKernel{}, 1}, 1.0));
   const std::vector<double> volumes(100, 0.01);
   std::size_t wider = 0;
   for (const MicroConductivity& pair : condensed_micro_conductivity(every_fourth(), bar.full(), volumes)) {
@@ -72,7 +72,7 @@ TEST(MicroConductivity, of_the_full_bar_is_that_of_its_kernel) {
 }
 
 TEST(MicroConductivity, is_written_as_a_table) {
-  ReducedCase bar(kernel_bar({ConstantKernel{}, 1}, 1.0));
+  AssembledCase bar(kernel_bar({ConstantKernel{}, 1}, 1.0));
   const std::vector<double> volumes(100, 0.01);
   const auto table = condensed_micro_conductivity(every_fourth(), bar.full(), volumes);
   const auto path = std::filesystem::temp_directory_path() / "peritherm_micro_conductivity.csv";

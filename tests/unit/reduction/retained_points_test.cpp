@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 #include "support/run_problem.hpp"
 
 namespace peritherm {
@@ -115,7 +115,7 @@ TEST(RetainedPoints, with_mistakes_are_refused_with_all_of_them) {
 TEST(RetainedPoints, must_anchor_every_piece_of_the_body) {
   Problem problem = unit_body(2, 10, 2.0);
   problem.cracks.emplace_back().points = {{0.7, 0.0}, {0.7, 1.0}};
-  ReducedCase plate(problem);
+  AssembledCase plate(problem);
   StaticCondensation method;
   method.retained.regions = {{Box{{0.0, 0.0}, {0.3, 1.0}}, 1}};
   try {
@@ -130,11 +130,30 @@ TEST(RetainedPoints, must_anchor_every_piece_of_the_body) {
   EXPECT_NO_THROW(reduce(method, plate.full()));
 }
 
+/// Sums that cancel leave rounding in the place of cut bonds; it anchors nothing.
+TEST(RetainedPoints, must_anchor_a_point_that_lost_all_bonds) {
+  Problem problem = unit_body(1, 5, 1.2855);
+  problem.body.points = PointPlacement::boundary;
+  problem.nonlocality.kernel = {ConstantKernel{}, 2};
+  problem.materials["body"] = {0.13533, 0.5, 0.5};
+  problem.cracks.emplace_back().points = {{0.81}};
+  set_face(problem, Face::x_min, held_at(-1.0));
+  AssembledCase bar(problem);
+  StaticCondensation method;
+  method.retained.every = std::vector<int>{2};
+  try {
+    reduce(method, bar.full());
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a point at (1)"), std::string::npos) << error.what();
+  }
+}
+
 TEST(RetainedPoints, need_not_anchor_what_is_held_or_cooled) {
   Problem problem = unit_body(2, 10, 2.0);
   problem.cracks.emplace_back().points = {{0.7, 0.0}, {0.7, 1.0}};
   set_face(problem, Face::x_max, Convection{1.0, 0.0});
-  ReducedCase plate(problem);
+  AssembledCase plate(problem);
   StaticCondensation method;
   method.retained.regions = {{Box{{0.0, 0.0}, {0.3, 1.0}}, 1}};
   EXPECT_NO_THROW(reduce(method, plate.full()));

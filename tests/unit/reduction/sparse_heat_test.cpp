@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/reduced_case.hpp"
+#include "support/assembled_case.hpp"
 #include "support/run_problem.hpp"
 #include "support/tolerance.hpp"
 
@@ -28,7 +28,7 @@ Problem mixed_plate(BackendName backend) {
 }
 
 /// The sparse product against the system's own rates.
-void expect_same_rates(ReducedCase& plate) {
+void expect_same_rates(AssembledCase& plate) {
   const SparseHeat heat = plate.sparse_heat();
   const PaddedGrid& layout = plate.full().layout;
   std::vector<double> temperatures(heat.size());
@@ -49,13 +49,13 @@ void expect_same_rates(ReducedCase& plate) {
 
 TEST(SparseHeat, gives_the_rates_of_every_backend) {
   for (const BackendName backend : {BackendName::stencil, BackendName::bond}) {
-    ReducedCase plate(mixed_plate(backend));
+    AssembledCase plate(mixed_plate(backend));
     expect_same_rates(plate);
   }
 }
 
 TEST(SparseHeat, is_symmetric_and_its_rows_sum_to_the_losses) {
-  ReducedCase plate(mixed_plate(BackendName::stencil));
+  AssembledCase plate(mixed_plate(BackendName::stencil));
   const SparseHeat heat = plate.sparse_heat();
   const SparseMatrix& matrix = heat.conductances;
   const std::vector<double> sums = product(matrix, std::vector<double>(heat.size(), 1.0));
@@ -78,7 +78,7 @@ TEST(SparseHeat, has_no_more_entries_than_there_are_bonds) {
   set_all_faces(problem, Insulated{Outside::natural});
   problem.nonlocality.partial_volumes = PartialVolumes::whole;
   problem.nonlocality.kernel.form = ConstantKernel{};
-  ReducedCase plate(problem);
+  AssembledCase plate(problem);
   const SparseHeat heat = plate.sparse_heat();
   std::size_t pairs = 0;
   for (std::size_t a = 0; a < heat.size(); ++a) {
@@ -94,7 +94,7 @@ TEST(SparseHeat, has_no_more_entries_than_there_are_bonds) {
 TEST(SparseHeat, needs_bonds_that_conduct_alike_both_ways) {
   Problem problem = unit_body(1, 20, 3.0);
   set_face(problem, Face::x_min, Insulated{Outside::slaved});
-  ReducedCase bar(problem);
+  AssembledCase bar(problem);
   EXPECT_THROW(bar.sparse_heat(), Error);
 }
 

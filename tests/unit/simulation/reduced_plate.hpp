@@ -41,6 +41,8 @@ value = 100
 where = { type = "ball", centre = [0.3, 0.3], radius = 0.15 }
 [[crack]]
 points = [[0.2, 0.5], [0.6, 0.5]]
+[numerics]
+threads = 1
 [reduction]
 type = "rational_krylov"
 tolerance = 1e-7

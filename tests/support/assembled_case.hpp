@@ -14,9 +14,9 @@
 namespace peritherm {
 
 /// A problem whose loads are constant, ready to be reduced; every load has one shape of value 1.
-class ReducedCase {
+class AssembledCase {
  public:
-  explicit ReducedCase(Problem problem, double level = 0.0)
+  explicit AssembledCase(Problem problem, double level = 0.0)
       : problem_((check(problem), resolved(problem))), assembly_(assemble(problem_)) {
     for (std::size_t b = 0; b < problem_.boundaries.size(); ++b) add_boundary(static_cast<int>(b), level);
     for (std::size_t s = 0; s < problem_.sources.size(); ++s)
