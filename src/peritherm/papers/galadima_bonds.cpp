@@ -125,6 +125,7 @@ Curve drawn(std::string name, const BondCurve& bonds, double factor, CurveStyle 
 ReportPicture bond_picture(const CondensedBonds& bonds, const BondCurve& whole, const BondCurve& condensed,
                            const PaperRuns& runs) {
   Chart chart = make_paper_chart(bonds.name, "distance [m]", "micro-conductivity");
+  chart.y.scale = AxisScale::logarithmic;
   chart.curves.push_back(drawn("whole", whole, 1.0, CurveStyle::line));
   // Retained points stand for cells four times as long, at both ends of a bond.
   chart.curves.push_back(drawn("condensed", condensed, 1.0 / (bond_every * bond_every), CurveStyle::dots_on_line));

@@ -120,6 +120,7 @@ ReportPicture unknowns_picture(const std::vector<MethodCurve>& curves, const std
   Chart chart = make_paper_chart("Largest error over all points and times", "unknowns",
                                  "error over the largest temperature", true);
   for (const MethodCurve& curve : curves) {
+    if (curve.models.empty()) continue;
     Curve drawn{curve.name, {}, {}, CurveStyle::dots_on_line};
     for (const TriedModel* model : curve.models) {
       drawn.x.push_back(static_cast<double>(model->unknowns()));
