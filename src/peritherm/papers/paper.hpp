@@ -25,8 +25,9 @@ struct Paper {
 Paper bobaru_2010();
 Paper bobaru_2012();
 Paper mei_2021();
+Paper galadima();
 
 /// The list: a new paper adds its function here.
-inline std::vector<Paper> all_papers() { return {bobaru_2010(), bobaru_2012(), mei_2021()}; }
+inline std::vector<Paper> all_papers() { return {bobaru_2010(), bobaru_2012(), mei_2021(), galadima()}; }
 
 }  // namespace peritherm

@@ -49,6 +49,7 @@ struct ReportRow {
   NumberStyle style;
   std::array<std::optional<double>, value_kinds> values;
   std::vector<ReportCheck> checks;
+  std::vector<std::string> further;  ///< texts below the table's further headings
 
   ReportRow(std::string name, NumberStyle number) : quantity(std::move(name)), style(number) {}
   ReportRow& published(double value, std::string where);
@@ -70,6 +71,7 @@ struct ReportText {
 struct ReportTable {
   std::string caption;
   std::vector<ReportRow> rows;
+  std::vector<std::string> further{};  ///< headings of what rows tell besides: sizes, durations
 };
 
 /// A picture in a file of the report's folder.
@@ -116,8 +118,8 @@ ReportVerdict verdict_of(const Report& report);
 /// (Fault::machine) if one is not there.
 std::string report_html(const Report& report, const std::filesystem::path& folder);
 
-/// paper, example, table, quantity, source, five values, check, measured, limit, holds: one line per check, or one for
-/// a row without checks. Numbers in full.
+/// paper, example, table, quantity, source, five values, check, measured, limit, holds, further: one line per check, or
+/// one for a row without checks. Numbers in full.
 std::string report_csv(const Report& report);
 
 /// Tables for a terminal or an editor.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "peritherm/base/text.hpp"
@@ -19,12 +20,21 @@ std::string row_start(const ReportPaper& paper, const ReportSection& section, co
   return line;
 }
 
-std::string row_lines(const std::string& start, const ReportRow& row) {
-  if (row.checks.empty()) return start + ",,,,\n";
+/// "unknowns: 20; set-up: 1.2 s".
+std::string further_cell(const ReportTable& table, const ReportRow& row) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(table.further.size(), row.further.size()); ++k) {
+    if (!row.further[k].empty()) text += (text.empty() ? "" : "; ") + table.further[k] + ": " + row.further[k];
+  }
+  return csv_entry(text);
+}
+
+std::string row_lines(const std::string& start, const ReportRow& row, const std::string& further) {
+  if (row.checks.empty()) return start + ",,,,," + further + "\n";
   std::string lines;
   for (const ReportCheck& check : row.checks) {
-    lines += fmt::format("{},{},{},{},{}\n", start, csv_entry(check.what), full_number(check.value),
-                         full_number(check.limit), check.holds() ? "yes" : "no");
+    lines += fmt::format("{},{},{},{},{},{}\n", start, csv_entry(check.what), full_number(check.value),
+                         full_number(check.limit), check.holds() ? "yes" : "no", further);
   }
   return lines;
 }
@@ -33,13 +43,16 @@ std::string row_lines(const std::string& start, const ReportRow& row) {
 
 std::string report_csv(const Report& report) {
   std::string text =
-      "paper,example,table,quantity,source,published,recomputed,scheme,defaults,exact,check,measured,limit,holds\n";
+      "paper,example,table,quantity,source,published,recomputed,scheme,defaults,exact,check,measured,limit,holds,"
+      "further\n";
   for (const ReportPaper& paper : report.papers) {
     for (const ReportSection& section : paper.sections) {
       for (const ReportBlock& block : section.blocks) {
         const auto* table = std::get_if<ReportTable>(&block);
         if (table == nullptr) continue;
-        for (const ReportRow& row : table->rows) text += row_lines(row_start(paper, section, *table, row), row);
+        for (const ReportRow& row : table->rows) {
+          text += row_lines(row_start(paper, section, *table, row), row, further_cell(*table, row));
+        }
       }
     }
   }

@@ -51,6 +51,7 @@ TableCells cells_of(const ReportTable& table) {
     kinds.push_back(kind);
     add_column(cells, std::string(heading_of(kind)), true);
   }
+  for (const std::string& heading : table.further) add_column(cells, heading, true);
   const bool judged = any_row(table, [](const ReportRow& row) { return !row.checks.empty(); });
   if (judged) {
     add_column(cells, "check", false);
@@ -64,6 +65,8 @@ TableCells cells_of(const ReportTable& table) {
       const auto value = row.value(kind);
       texts.push_back(value ? number_text(*value, row.style) : "");
     }
+    for (std::size_t k = 0; k < table.further.size(); ++k)
+      texts.push_back(k < row.further.size() ? row.further[k] : "");
     const int verdict = verdict_number(row);
     cells.holds.push_back(verdict);
     if (!judged) continue;

@@ -140,7 +140,7 @@ TEST(ReportCsv, has_one_line_per_check_and_quotes_what_needs_it) {
                       "published|,"),
             std::string::npos)
       << text;
-  EXPECT_NE(text.find("\"defaults, told\",,,,,3.43e-05,,,,,\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"defaults, told\",,,,,3.43e-05,,,,,,\n"), std::string::npos) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
