@@ -100,9 +100,10 @@ void KrylovSearch::add_start() {
   basis_.add(std::move(states));
 }
 
+/// All states but two for each drive: the last one alone may say little about what it leaves.
 std::size_t KrylovSearch::judged() const {
-  const std::size_t fewest = basis_.conserved() + drives_.size();
-  return basis_.size() > fewest ? basis_.size() - drives_.size() : 0;
+  const std::size_t left_out = 2 * drives_.size();
+  return basis_.size() > basis_.conserved() + left_out ? basis_.size() - left_out : 0;
 }
 
 double KrylovSearch::scale(std::size_t drive, std::size_t time) const {
@@ -255,7 +256,8 @@ void KrylovSearch::run() {
     }
     const std::vector<Candidate> chosen = choose(ranked);
     if (chosen.empty()) {
-      if (!aim_.must_reach) break;
+      // Nothing is left to add, so what the judge lacks is not missing from the model.
+      if (!aim_.must_reach || residual_error_ <= aim_.tolerance) break;
       give_up("rounding lets no further unknown improve it");
     }
     correct(chosen);
