@@ -8,7 +8,7 @@ namespace peritherm {
 namespace {
 
 /// Geometric comparisons have a slack of 1e-9 spacings, so shares of cells may differ by that much.
-constexpr double slack = 1e-9;
+constexpr double geometric_slack = 1e-9;
 
 /// The rate of point p of `first` must be that of point image(p) of `second`, `factor` times.
 void expect_same_rates(const MeasuredBody& first, const MeasuredBody& second, double factor,
@@ -26,7 +26,7 @@ void expect_same_rates(const MeasuredBody& first, const MeasuredBody& second, do
   for (std::size_t k = 0; k < found.size(); ++k) {
     const double expected = factor * moved[to.entry(image(from.index(first.entries[k])))];
     // Sources heat points, too.
-    RC_ASSERT(std::abs(found[k] - expected) <= slack * (first.rate_scales[k] * largest + std::abs(found[k])));
+    RC_ASSERT(std::abs(found[k] - expected) <= geometric_slack * (first.rate_scales[k] * largest + std::abs(found[k])));
   }
 }
 
