@@ -58,11 +58,13 @@ TEST(Condensation, never_decays_more_slowly_than_the_body) {
       expect_no_slower(reduce(method, body.full()).model.stages.front().equations.rates, full);
       expect_no_slower(reduce(with_modes, body.full()).model.stages.front().equations.rates, full);
     } catch (const Error& error) {
-      // Pieces that the random choice has left alone, and bodies that are held as a whole.
+      // Pieces that the random choice has left alone, bodies that are held as a whole, and points that hardly follow
+      // any retained one because what is held is so much nearer.
       const std::string message = error.what();
       RC_LOG(message);
       RC_ASSERT(message.find("without any retained point") != std::string::npos ||
-                message.find("selects") != std::string::npos);
+                message.find("selects") != std::string::npos ||
+                (method.drop > 0.0 && message.find("dropping shares") != std::string::npos));
     }
   });
 }
