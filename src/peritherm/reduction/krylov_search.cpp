@@ -154,7 +154,8 @@ std::vector<KrylovSearch::Candidate> KrylovSearch::choose(const std::vector<Cand
   return chosen;
 }
 
-void KrylovSearch::correct(const std::vector<Candidate>& candidates) {
+/// False if there are no candidates.
+bool KrylovSearch::correct(const std::vector<Candidate>& candidates) {
   std::vector<FieldStorage> residuals;
   for (const Candidate& next : candidates) {
     residuals.emplace_back(full_.system.size());
@@ -164,19 +165,22 @@ void KrylovSearch::correct(const std::vector<Candidate>& candidates) {
     const auto [drive, time, error] = candidates[k];
     if (!add_solution(1.0 / times_[time], std::move(residuals[k]), drive)) exhausted_[drive][time] = basis_.size();
   }
+  return !candidates.empty();
 }
 
-/// Each given shift works on what the one before has added.
-void KrylovSearch::continue_chains(double shift) {
+/// Each given shift works on what the one before has added. False if that was nothing for any drive.
+bool KrylovSearch::continue_chains(double shift) {
+  const std::size_t before = basis_.size();
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     if (chains_.size() <= d) {
       chains_.emplace_back(full_.system.size());
       std::copy(drives_[d].rate.begin(), drives_[d].rate.end(), chains_[d].begin());
     }
-    if (!add_solution(shift, chains_[d], d)) give_up("rounding lets no further unknown improve it");
+    if (!add_solution(shift, chains_[d], d)) continue;
     const ConstField newest = basis_.state(basis_.size() - 1);
     std::copy(newest.begin(), newest.end(), chains_[d].begin());
   }
+  return basis_.size() > before;
 }
 
 bool KrylovSearch::add_solution(double shift, FieldStorage right_side, std::size_t drive) {
@@ -230,9 +234,13 @@ void KrylovSearch::report() const {
 void KrylovSearch::give_up(const std::string& why) const {
   std::ostringstream text;
   text.precision(3);
-  text << "reduction.tolerance: " << basis_.size() << " unknowns leave an estimated error of "
-       << std::max(residual_error_, std::isfinite(error_) ? error_ : 0.0) << ", and " << aim_.tolerance
-       << " was asked for: " << why;
+  text << "reduction.tolerance: " << basis_.size();
+  if (std::isfinite(error_) || residual_error_ > aim_.tolerance) {
+    text << " unknowns leave an estimated error of " << std::max(residual_error_, std::isfinite(error_) ? error_ : 0.0)
+         << ", and " << aim_.tolerance << " was asked for: " << why;
+  } else {
+    text << " unknowns may be enough, but their error is estimated from two more for each load: " << why;
+  }
   throw Error(text.str(), "Raise reduction.tolerance, reduction.most_unknowns or reduction.shortest_time",
               Fault::numerics);
 }
@@ -250,17 +258,13 @@ void KrylovSearch::run() {
       give_up("most_unknowns is reached");
     }
     report();
-    if (!aim_.shifts.empty()) {
-      continue_chains(aim_.shifts[cycle % aim_.shifts.size()]);
-      continue;
-    }
-    const std::vector<Candidate> chosen = choose(ranked);
-    if (chosen.empty()) {
-      // Nothing is left to add, so what the judge lacks is not missing from the model.
-      if (!aim_.must_reach || residual_error_ <= aim_.tolerance) break;
-      give_up("rounding lets no further unknown improve it");
-    }
-    correct(chosen);
+    const bool goes_on =
+        aim_.shifts.empty() ? correct(choose(ranked)) : continue_chains(aim_.shifts[cycle % aim_.shifts.size()]);
+    if (goes_on) continue;
+    // Nothing is left to add, so what the judge lacks is not missing from the model.
+    if (!std::isfinite(error_)) error_ = residual_error_;
+    if (!aim_.must_reach || residual_error_ <= aim_.tolerance) break;
+    give_up("rounding lets no further unknown improve it");
   }
   cost_.evaluations += solver_.evaluations() + static_cast<long>(basis_.size());
   cost_.peak_bytes = std::max(cost_.peak_bytes, basis_.bytes() + solver_.bytes());

@@ -32,7 +32,7 @@ class KrylovSearch {
   /// Error (rms) after steps of each input and from the start, relative to the temperatures at that time, of the
   /// basis without what the judge goes without.
   double error() const { return error_; }
-  /// States of the judge: all but the last of each drive.
+  /// States of the judge: all but the last two of each drive.
   std::size_t judged() const;
   const std::vector<double>& shifts_taken() const { return taken_; }
 
@@ -46,8 +46,8 @@ class KrylovSearch {
   void look();
   std::vector<Candidate> rank() const;
   std::vector<Candidate> choose(const std::vector<Candidate>& ranked) const;
-  void correct(const std::vector<Candidate>& candidates);
-  void continue_chains(double shift);
+  bool correct(const std::vector<Candidate>& candidates);
+  bool continue_chains(double shift);
   bool add_solution(double shift, FieldStorage right_side, std::size_t drive);
   double step_error() const;
   double estimate(const Drive& drive, double time, const Look& look) const;

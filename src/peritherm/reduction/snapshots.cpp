@@ -60,7 +60,8 @@ class SnapshotPivoting {
   }
 
   void run(double negligible, std::size_t most) {
-    while (states_.size() < most) {
+    // Beyond as many directions as snapshots there is nothing but rounding.
+    while (states_.size() < std::min(most, left_.size())) {
       const auto largest = std::max_element(rest_.begin(), rest_.end());
       if (largest == rest_.end() || !(*largest > negligible)) return;
       if (!take(static_cast<std::size_t>(largest - rest_.begin()))) return;

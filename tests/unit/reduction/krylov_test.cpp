@@ -228,6 +228,41 @@ TEST(RationalKrylov, keeps_the_heat_of_closed_bodies_exactly) {
   EXPECT_NEAR(stored_heat(model, state, 0.5) / (0.5 + 11e6), 1.0, 1e-13);
 }
 
+TEST(RationalKrylov, ends_where_nothing_is_left_to_add) {
+  Problem heated = unit_body(2, 8, 3.0);
+  heated.sources.push_back({Profile(11.0), std::nullopt});
+  Problem rod = unit_body(1, 6, 3.0);
+  rod.boundaries.push_back({Face::x_min, std::nullopt, held_at(3.0)});
+  rod.sources.push_back({Profile(11.0), std::nullopt});
+  for (const Problem& problem : {heated, rod}) {
+    AssembledCase body(problem);
+    RationalKrylov method;
+    for (int given = 0; given < 2; ++given) {
+      const ReducedModel model = reduce(method, body.full()).model;
+      EXPECT_LE(model.unknowns(), 6U);
+      EXPECT_TRUE(std::isfinite(model.estimated_error));
+      // Two loads at most, with temperatures below 14.
+      EXPECT_LE(error_of_model(body, model), 2.0 * 14.0 * 1e-6);
+      method.shifts = {2.0, 20.0};
+    }
+  }
+}
+
+TEST(RationalKrylov, tells_that_only_the_estimate_needs_more_unknowns) {
+  Problem heated = unit_body(2, 8, 3.0);
+  heated.sources.push_back({Profile(11.0), std::nullopt});
+  AssembledCase plate(heated);
+  RationalKrylov method;
+  method.most_unknowns = 1;
+  try {
+    reduce(method, plate.full());
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("1 unknowns may be enough"), std::string::npos) << text;
+  }
+}
+
 TEST(Judge, estimates_the_error_of_a_condensed_model) {
   AssembledCase plate(loaded_plate());
   StaticCondensation method;

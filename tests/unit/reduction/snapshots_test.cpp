@@ -71,5 +71,13 @@ TEST(SnapshotDirections, are_none_where_nothing_varies) {
   EXPECT_TRUE(find_directions(zeros, snapshot_weights(), 0.0, 5).states.empty());
 }
 
+TEST(SnapshotDirections, are_no_more_than_the_snapshots_even_where_no_rounding_is_negligible) {
+  std::vector<FieldStorage> snapshots = decaying_snapshots();
+  snapshots.resize(3);
+  const SnapshotDirections directions = find_directions(snapshots, snapshot_weights(), 0.0, 20);
+  EXPECT_EQ(directions.states.size(), 3U);
+  EXPECT_EQ(directions.shares.rows, 3U);
+}
+
 }  // namespace
 }  // namespace peritherm
