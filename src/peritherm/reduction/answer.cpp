@@ -39,7 +39,12 @@ class QuestionInputs {
     std::size_t first = 0;
     for (LoadReader& reader : readers_) {
       const std::size_t shapes = reader.frame().load.shapes.size();
-      reader.read(time, inputs.subspan(first, shapes));
+      try {
+        reader.read(time, inputs.subspan(first, shapes));
+      } catch (const Error& error) {
+        const Issue& issue = error.issues().front();
+        throw Error(reader.frame().load.key + ": " + issue.problem, issue.hint, error.fault());
+      }
       first += shapes;
     }
   }
