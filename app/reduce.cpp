@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <iostream>
-#include <optional>
 
 #include "interrupt.hpp"
 #include "peritherm/base/text.hpp"
+#include "peritherm/reduction/model_file.hpp"
 #include "peritherm/simulation/read.hpp"
 #include "peritherm/simulation/result_folder.hpp"
 #include "peritherm/simulation/write_reduction.hpp"
@@ -78,7 +78,12 @@ std::string loads_text(const ReducedModel& model) {
 }
 
 int reduce_and_write(const ReduceArguments& arguments, StageDisplay& display) {
+  if (is_model_file(arguments.case_file)) {
+    throw Error("'" + arguments.case_file + "' is a reduced model, not a case",
+                "Ask it with: peritherm run " + arguments.case_file);
+  }
   const ReadCase read = read_case_file(arguments.case_file, arguments.overrides, CaseUse::reduce);
+  require_model_files();
   const bool quiet = arguments.quiet;
   if (!quiet && !read.problem.title.empty()) std::cout << read.problem.title << '\n';
   // Minutes later would be a bad moment to find that the model has no place.
@@ -92,14 +97,13 @@ int reduce_and_write(const ReduceArguments& arguments, StageDisplay& display) {
   const ReducedCase reduced = reduce_case(reducible, progress);
   display.close();
   if (!quiet) std::cout << reduction_text(reducible, reduced) << std::flush;
-  std::optional<ModelVerification> verification;
   // The model is worth keeping even if the comparison is stopped.
-  std::vector<std::filesystem::path> files = write_reduction(reducible, reduced, verification, arguments.folder);
+  const std::vector<std::filesystem::path> files = write_reduction(reducible, reduced, arguments.folder);
   if (arguments.verify) {
-    verification = verify_model(reducible, reduced, progress);
+    const ModelVerification verification = verify_model(reducible, reduced, progress);
     display.close();
-    if (!quiet) std::cout << verification_text(*verification, reduced);
-    files = write_reduction(reducible, reduced, verification, arguments.folder);
+    if (!quiet) std::cout << verification_text(verification, reduced);
+    write_verification(reducible, reduced, verification, arguments.folder);
   }
   if (quiet) return 0;
   std::cout << fmt::format("written to {}:\n", path_text(arguments.folder));

@@ -10,7 +10,7 @@ Each [[step]] of expect.toml runs in the same empty folder, into which the case 
   not_stdout, not_stderr   texts that must not occur
   silent             true: nothing at all on standard output
   error_count        number of lines that begin with "error: "
-  files              files that must be there afterwards
+  files, no_files    files that must be there afterwards, and that must not
   memory_limit_gib   address space that the program may use
 """
 
@@ -22,7 +22,7 @@ import tempfile
 import tomllib
 from pathlib import Path
 
-KEYS = {"command", "exit", "stdout", "stderr", "not_stdout", "not_stderr", "silent", "error_count", "files",
+KEYS = {"command", "exit", "stdout", "stderr", "not_stdout", "not_stderr", "silent", "error_count", "files", "no_files",
         "memory_limit_gib"}
 
 
@@ -60,6 +60,9 @@ def faults_of(step, result, folder):
     for name in step.get("files", []):
         if not (folder / name).is_file():
             yield f"there is no file {name}"
+    for name in step.get("no_files", []):
+        if (folder / name).exists():
+            yield f"there is {name}"
 
 
 def main(program, case_folder):

@@ -39,7 +39,12 @@ class QuestionInputs {
     std::size_t first = 0;
     for (LoadReader& reader : readers_) {
       const std::size_t shapes = reader.frame().load.shapes.size();
-      reader.read(time, inputs.subspan(first, shapes));
+      try {
+        reader.read(time, inputs.subspan(first, shapes));
+      } catch (const Error& error) {
+        const Issue& issue = error.issues().front();
+        throw Error(reader.frame().load.key + ": " + issue.problem, issue.hint, error.fault());
+      }
       first += shapes;
     }
   }
@@ -87,7 +92,7 @@ class QuestionInputs {
 class ModalMarch {
  public:
   ModalMarch(const ModalEquations& equations, std::vector<double> start)
-      : equations_(&equations), values_(std::move(start)), integrals_(values_.size(), 0.0) {}
+      : equations_(&equations), table_(equations.rates), values_(std::move(start)), integrals_(values_.size(), 0.0) {}
 
   void advance(const InputPiece& piece) {
     const double length = piece.end - piece.begin, half = 0.5 * length;
@@ -95,8 +100,9 @@ class ModalMarch {
     for (std::size_t k = 0; k < forcing.columns; ++k) {
       add_product(1.0, equations_->gains, piece.coefficients.column(k), forcing.column(k));
     }
+    const std::span<const ExponentialMoments> table = table_.at(length, piece.degree());
     for (std::size_t n = 0; n < values_.size(); ++n) {
-      const ExponentialMoments moments = exponential_moments(equations_->rates[n] * length, piece.degree());
+      const ExponentialMoments& moments = table[n];
       double end = 0.0, integral = 0.0;
       for (std::size_t k = 0; k < forcing.columns; ++k) {
         end += moments.final[k] * forcing(n, k);
@@ -113,6 +119,7 @@ class ModalMarch {
 
  private:
   const ModalEquations* equations_;
+  MomentTable table_;
   std::vector<double> values_;
   std::vector<double> integrals_;
 };

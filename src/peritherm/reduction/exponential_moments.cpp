@@ -107,4 +107,17 @@ ExponentialMoments exponential_moments(double decay, int degree) {
   return moments;
 }
 
+std::span<const ExponentialMoments> MomentTable::at(double length, int degree) {
+  for (const Step& step : steps_) {
+    if (step.length == length && step.degree == degree) return step.moments;
+  }
+  Step& step = steps_[next_];
+  next_ = (next_ + 1) % steps_.size();
+  step.length = length;
+  step.degree = degree;
+  step.moments.resize(rates_.size());
+  for (std::size_t n = 0; n < rates_.size(); ++n) step.moments[n] = exponential_moments(rates_[n] * length, degree);
+  return step.moments;
+}
+
 }  // namespace peritherm

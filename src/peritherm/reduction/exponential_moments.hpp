@@ -1,6 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace peritherm {
 
@@ -16,5 +20,24 @@ struct ExponentialMoments {
 /// For decay = rate · h from 0 to infinity, to a few roundings of each number [hochbruck2010, section 2.1]. Entries
 /// above the degree are left 0.
 ExponentialMoments exponential_moments(double decay, int degree);
+
+/// The moments of many rates. Steps between output times have the same few lengths, so the last ones are kept.
+class MomentTable {
+ public:
+  explicit MomentTable(std::vector<double> rates) : rates_(std::move(rates)) {}
+
+  /// One per rate, for a step of this length; valid until the next call.
+  std::span<const ExponentialMoments> at(double length, int degree);
+
+ private:
+  struct Step {
+    double length = -1.0;
+    int degree = -1;
+    std::vector<ExponentialMoments> moments;
+  };
+  std::vector<double> rates_;
+  std::array<Step, 8> steps_;
+  std::size_t next_ = 0;  ///< the oldest step
+};
 
 }  // namespace peritherm

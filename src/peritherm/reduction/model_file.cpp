@@ -13,6 +13,7 @@
 #include "peritherm/base/text.hpp"
 #include "peritherm/reduction/hdf5_file.hpp"
 #include "peritherm/reduction/model_check.hpp"
+#include "peritherm/reduction/model_mark.hpp"
 #include "peritherm/reduction/option_lines.hpp"
 
 namespace peritherm {
@@ -23,8 +24,6 @@ namespace fs = std::filesystem;
 constexpr int model_format = 1;
 /// HDF5 looks for its own beginning at 0, 512, 1024, …; before that stands what tells damage.
 constexpr std::size_t header_bytes = 512;
-constexpr std::string_view model_mark = "Peritherm reduced model\n";
-constexpr std::string_view hdf5_mark = "\x89HDF\r\n\x1a\n";
 constexpr const char* build_again = "Build it again with peritherm reduce";
 
 constexpr const char* how_to_lift =
@@ -346,13 +345,8 @@ void check_bytes(const fs::path& path) {
 
 }  // namespace
 
-bool is_model_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string begin(std::max(model_mark.size(), hdf5_mark.size()), '\0');
-  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return begin.starts_with(model_mark) || begin.starts_with(hdf5_mark);
-}
+bool model_files_available() { return true; }
+void require_model_files() {}
 
 void write_model(const ReducedModel& model, const fs::path& path) {
   std::string image;

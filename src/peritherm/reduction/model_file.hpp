@@ -6,7 +6,13 @@
 
 namespace peritherm {
 
-/// Is this the name of a file in HDF5's format? By its first bytes; false if it cannot be read.
+/// Does this build have HDF5?
+bool model_files_available();
+/// Throws Error (Fault::machine) if it has not: to be asked before the work of a reduction.
+void require_model_files();
+
+/// Is this the name of a model or another file in HDF5's format? By its first bytes, in every build; false if it cannot
+/// be read.
 bool is_model_file(const std::filesystem::path& file);
 
 /// Written under a temporary name and renamed. Throws Error (Fault::machine) if it cannot be written, or if this build

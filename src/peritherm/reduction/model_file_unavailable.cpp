@@ -11,7 +11,8 @@ namespace {
 
 }  // namespace
 
-bool is_model_file(const std::filesystem::path&) { return false; }
+bool model_files_available() { return false; }
+void require_model_files() { refuse_model_file(); }
 void write_model(const ReducedModel&, const std::filesystem::path&) { refuse_model_file(); }
 ReducedModel read_model(const std::filesystem::path&) { refuse_model_file(); }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "peritherm/base/file.hpp"
+#include "peritherm/base/text.hpp"
 #include "peritherm/base/version.hpp"
 #include "peritherm/output/csv.hpp"
 #include "peritherm/simulation/answer_outputs.hpp"
@@ -54,7 +55,8 @@ class WorstError {
       deviation = std::max(deviation, squared_deviation(model_, state));
     }
     const double size = std::sqrt(deviation / model_.heat.heat_capacity);
-    const double relative = size > 0.0 ? error / size : 0.0;
+    double relative = size > 0.0 ? error / size : 0.0;
+    if (!std::isfinite(error) || !std::isfinite(relative)) relative = std::numeric_limits<double>::infinity();
     if (!(relative > relative_) && !name_.empty()) return;
     name_ = name;
     error_ = error;
@@ -67,10 +69,11 @@ class WorstError {
     summary.relative_error = none ? std::numeric_limits<double>::quiet_NaN() : relative_;
     summary.worst_load = name_;
     if (none || relative_ <= doubtful_estimate) return;
-    const auto percent = static_cast<int>(std::lround(100.0 * relative_));
+    const std::string size = std::isfinite(relative_)
+                                 ? shortest(std::round(100.0 * relative_)) + " % of what the temperatures differ by"
+                                 : "not finite: its loads or temperatures are too large to be squared";
     summary.warnings.push_back("the model is doubtful for this: its estimated error" +
-                               (summary.loads > 1 ? " of the load '" + name_ + "'" : std::string{}) + " is " +
-                               std::to_string(percent) + " % of what the temperatures differ by");
+                               (summary.loads > 1 ? " of the load '" + name_ + "'" : std::string{}) + " is " + size);
   }
 
  private:

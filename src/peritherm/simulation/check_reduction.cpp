@@ -11,14 +11,6 @@ namespace {
 
 const std::string retained_key = "reduction.retained";
 
-bool voids_are_sound(const Checker& checker) {
-  const auto& regions = checker.problem.body.regions;
-  return checker.sound("body.region") &&
-         std::all_of(regions.begin(), regions.end(), [dimension = checker.grid->dimension](const BodyRegion& region) {
-           return find_fault(region.shape, dimension).empty();
-         });
-}
-
 void check_every(Checker& checker, const std::vector<int>& every) {
   const std::string key = retained_key + ".every";
   if (!checker.sound(key)) return;
@@ -46,8 +38,10 @@ void check_every(Checker& checker, const std::vector<int>& every) {
 }
 
 void check_retained_region(Checker& checker, const std::string& key, const RetainedRegion& region) {
-  if (!checker.sound(key)) return;
-  if (region.every < 1) checker.add(key + ".every", "must be positive", "Got " + std::to_string(region.every));
+  if (checker.sound(key + ".every") && region.every < 1) {
+    checker.add(key + ".every", "must be positive", "Got " + std::to_string(region.every));
+  }
+  if (!checker.sound(key + ".shape")) return;
   const Grid& grid = *checker.grid;
   if (!checker.accept(key + ".shape", find_fault(region.shape, grid.dimension)) || grid.size() > largest_search) return;
   const double slack = checker.search_slack();
@@ -64,7 +58,7 @@ void check_retained_place(Checker& checker, const std::string& key, const Coordi
                 "Give one coordinate per dimension");
   } else if (!in_box(grid, to_point(place))) {
     checker.add(key, "is outside the body", box_text(grid));
-  } else if (voids_are_sound(checker) && is_void(checker.problem, to_point(place), slack_of(grid))) {
+  } else if (regions_are_sound(checker) && is_void(checker.problem, to_point(place), slack_of(grid))) {
     checker.add(key, "is in a part that is cut away", "Move it into the body");
   }
 }

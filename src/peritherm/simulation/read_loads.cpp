@@ -11,6 +11,12 @@
 namespace peritherm {
 namespace {
 
+constexpr std::size_t longest_folder_name = 255;  ///< as file systems have it
+
+bool has_control(const std::string& name) {
+  return std::any_of(name.begin(), name.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; });
+}
+
 /// As it stands in the file.
 struct WrittenLoad {
   std::string name;
@@ -100,6 +106,14 @@ class LoadsReader {
       if (issues.empty()) add(key, "is empty", "Give the load a name");
     } else if (name.find_first_of("/\\") != std::string::npos || name == "." || name == "..") {
       add(key, "'" + name + "' is no plain name of a folder", "Leave out / and \\");
+    } else if (has_control(name)) {
+      add(key, "has line breaks or other control characters", "Leave them out");
+    } else if (name.size() > longest_folder_name) {
+      add(key, "has more than " + std::to_string(longest_folder_name) + " bytes, too many for the name of a folder",
+          "Choose a shorter name");
+    } else if (name == "loads.csv" || name == "summary.json" || name == "resolved.toml") {
+      add(key, "'" + name + "' is the name of a file that stands beside the folders of the loads",
+          "Choose another name");
     } else if (!names.insert(name).second) {
       add(key, "another load is called '" + name + "' too", "Give each its own name");
     }

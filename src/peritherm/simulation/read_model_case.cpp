@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 #include "peritherm/base/text.hpp"
 #include "peritherm/reduction/model_file.hpp"
+#include "peritherm/simulation/displacement_series.hpp"
 #include "peritherm/simulation/document.hpp"
+#include "peritherm/simulation/locations.hpp"
 #include "peritherm/simulation/model_case.hpp"
 #include "peritherm/simulation/overrides.hpp"
 #include "peritherm/simulation/schedule.hpp"
@@ -53,6 +56,43 @@ ReadCase read_question(const std::string& case_text, const std::string& file,
   return read;
 }
 
+/// No crack grows for longer than this takes its tip [m].
+double longest_growth(const Crack& crack) {
+  if (crack.disc) return crack.disc->radius;
+  double length = 0.0;
+  for (std::size_t n = 1; n < crack.points.size(); ++n) {
+    const Point from = to_point(crack.points[n - 1]), to = to_point(crack.points[n]);
+    length += std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+  }
+  return length;
+}
+
+/// Cracks and broken bonds that a model cannot know, since they come after the last time that it was built for.
+std::vector<Issue> find_unknown_changes(const ReducedModel& model, const Problem& problem, const Locations& locations) {
+  std::vector<Issue> issues;
+  const double last = model.longest_time, end = problem.time.end;
+  if (end <= last * (1.0 + 1e-12)) return issues;
+  const auto add = [&](const std::string& what) {
+    issues.push_back({find_location(locations, "time.end"),
+                      what + " after " + shortest(last) + " s, the last time that the model was built for",
+                      "Choose an end of at most " + shortest(last) + " s, or reduce the case again with this end"});
+  };
+  for (std::size_t n = 0; n < problem.cracks.size(); ++n) {
+    const Crack& crack = problem.cracks[n];
+    const std::string name = "crack " + std::to_string(n);
+    if (crack.start_time >= last && crack.start_time < end) {
+      add(name + " appears");
+    } else if (crack.tip_speed && crack.start_time + longest_growth(crack) / *crack.tip_speed > last) {
+      add(name + " may still grow");
+    }
+  }
+  const auto& damage = problem.damage;
+  if (damage && (damage->table || (damage->displacement && depends_on_time(*damage->displacement)))) {
+    add("bonds may still break");
+  }
+  return issues;
+}
+
 std::vector<std::string> find_warnings(const ReducedModel& model, const Problem& problem) {
   std::vector<std::string> warnings;
   if (problem.time.end > model.longest_time * (1.0 + 1e-12)) {
@@ -78,6 +118,8 @@ ModelCase make_model_case(ReducedModel model, const std::filesystem::path& file,
   ReadCase inside = read_question(made.model.case_text, file.string() + ", its case", overrides);
   made.problem = std::move(inside.problem);
   made.locations = std::move(inside.locations);
+  std::vector<Issue> unknown = find_unknown_changes(made.model, made.problem, made.locations);
+  if (!unknown.empty()) throw Error(std::move(unknown));
   made.warnings = find_warnings(made.model, made.problem);
   return made;
 }

@@ -200,9 +200,9 @@ ReducibleCase make_reducible(const Problem& given, const std::function<void(cons
     notes.emplace_back("built in double precision; numerics.precision is for runs");
   }
   const ReductionMethod method = method_of(problem);
-  const double bytes = reduction_bytes(problem, method);
-  refuse_large_reduction(problem, method, bytes);
   const Prepared prepared = prepare(problem);
+  const double bytes = prepared.bytes + reduction_bytes(problem, method);
+  refuse_large_reduction(problem, method, bytes);
   Assembly assembly = assemble(prepared.problem);
   const std::vector<double> times = march_times(problem);
   FieldStorage state = initial_state(problem, assembly);
@@ -220,7 +220,7 @@ ReducibleCase make_reducible(const Problem& given, const std::function<void(cons
   full.memory = available_memory();
   full.profiles = load_profiles(prepared.problem, full.loads);
   ReducibleCase reducible{prepared.problem, std::move(assembly), std::move(full), elapsed(start), std::move(notes)};
-  tell_plan(reducible, static_cast<std::size_t>(prepared.bytes + bytes), on_plan);
+  tell_plan(reducible, static_cast<std::size_t>(bytes), on_plan);
   return reducible;
 }
 

@@ -111,18 +111,24 @@ Json describe_reduction(const ReducibleCase& reducible, const ReducedCase& reduc
 }  // namespace
 
 std::vector<std::filesystem::path> write_reduction(ReducibleCase& reducible, const ReducedCase& reduced,
-                                                   const std::optional<ModelVerification>& verification,
                                                    const std::filesystem::path& folder) {
+  // That of an older model would be taken for this one's.
+  remove_file(folder / "micro_conductivity.csv");
   write_model(reduced.model, folder / "model.h5");
   write_file(folder / "resolved.toml", "# Written by peritherm " + std::string(version()) +
                                            "; reducing it again reproduces the model.\n" +
                                            write_problem(reducible.problem));
-  Json json = describe_reduction(reducible, reduced);
-  if (verification) json["verification"] = describe_verification(*verification, reduced);
-  write_file(folder / "reduction.json", json.dump(2) + "\n");
+  write_file(folder / "reduction.json", describe_reduction(reducible, reduced).dump(2) + "\n");
   std::vector<std::filesystem::path> files{folder / "model.h5", folder / "reduction.json", folder / "resolved.toml"};
   if (write_bonds(reducible, reduced, folder)) files.push_back(folder / "micro_conductivity.csv");
   return files;
+}
+
+void write_verification(const ReducibleCase& reducible, const ReducedCase& reduced,
+                        const ModelVerification& verification, const std::filesystem::path& folder) {
+  Json json = describe_reduction(reducible, reduced);
+  json["verification"] = describe_verification(verification, reduced);
+  write_file(folder / "reduction.json", json.dump(2) + "\n");
 }
 
 }  // namespace peritherm

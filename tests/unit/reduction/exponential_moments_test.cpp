@@ -71,5 +71,24 @@ TEST(ExponentialMoments, leave_degrees_alone_that_nobody_asks_for) {
   for (std::size_t k = 3; k <= input_degree; ++k) EXPECT_EQ(moments.final[k], 0.0);
 }
 
+TEST(MomentTable, is_what_each_rate_has_however_often_it_is_asked) {
+  const std::vector<double> rates{0.0, 0.3, 40.0};
+  MomentTable table(rates);
+  // More lengths than it keeps, each asked for twice, at two degrees.
+  for (int number = 0; number < 48; ++number) {
+    const double length = 1.0 + number % 12;
+    const int degree = number % 24 < 12 ? 0 : 8;
+    const auto moments = table.at(length, degree);
+    ASSERT_EQ(moments.size(), rates.size());
+    for (std::size_t n = 0; n < rates.size(); ++n) {
+      const ExponentialMoments alone = exponential_moments(rates[n] * length, degree);
+      EXPECT_EQ(moments[n].decay, alone.decay);
+      EXPECT_EQ(moments[n].final, alone.final);
+      EXPECT_EQ(moments[n].integral, alone.integral);
+    }
+    EXPECT_EQ(table.at(length, degree).data(), moments.data());
+  }
+}
+
 }  // namespace
 }  // namespace peritherm
