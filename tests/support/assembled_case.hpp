@@ -1,45 +1,28 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
-#include <variant>
 #include <vector>
 
-#include "peritherm/base/error.hpp"
-#include "peritherm/reduction/reduce.hpp"
 #include "peritherm/reduction/sparse_heat.hpp"
-#include "peritherm/simulation/assemble.hpp"
-#include "peritherm/simulation/check.hpp"
+#include "support/full_case.hpp"
 
 namespace peritherm {
 
-/// A problem whose loads are constant, ready to be reduced; every load has one shape of value 1.
-class AssembledCase {
+/// A problem whose loads are constant; every load has one shape of value 1. Times from a hundredth of the end on.
+class AssembledCase : public FullCase {
  public:
-  explicit AssembledCase(Problem problem, double level = 0.0)
-      : problem_((check(problem), resolved(problem))), assembly_(assemble(problem_)) {
-    for (std::size_t b = 0; b < problem_.boundaries.size(); ++b) add_boundary(static_cast<int>(b), level);
-    for (std::size_t s = 0; s < problem_.sources.size(); ++s)
-      add_load({"source", -1, static_cast<int>(s), LoadKind::heat, {}, {}}, problem_.sources[s].value, 0.0);
-    std::vector<bool> present;
-    for (const MaterialIndex material : assembly_.geometry.body.material_of) present.push_back(material != no_material);
-    full_ = std::make_unique<FullSystem>(FullSystem{*assembly_.system,
-                                                    assembly_.layout,
-                                                    present,
-                                                    loads_,
-                                                    initial_state(problem_, assembly_),
-                                                    level,
-                                                    0.01 * problem_.time.end,
-                                                    problem_.time.end,
-                                                    {problem_.time.end}});
-    start_.resize(assembly_.layout.grid().size());
-    assembly_.layout.gather(full_->start, start_);
+  explicit AssembledCase(const Problem& problem, double level = 0.0)
+      : FullCase(problem, {0.01 * problem.time.end, problem.time.end}, level), start_(grid().size()) {
+    FullSystem& all = full();
+    for (std::size_t m = 0; m < all.loads.size(); ++m) {
+      const double value = CompiledProfile(all.profiles[m])(Point{}, 0.0);
+      inputs_.push_back(all.loads[m].kind == LoadKind::temperature ? value - level : value);
+    }
+    all.layout.gather(all.start, start_);
     for (double& value : start_) value -= level;
   }
 
-  FullSystem& full() { return *full_; }
-  HeatSystem& system() { return *assembly_.system; }
-  const Grid& grid() const { return assembly_.layout.grid(); }
+  HeatSystem& system() { return full().system; }
   const std::vector<double>& inputs() const { return inputs_; }
   /// Minus the level, x fastest.
   const std::vector<double>& start() const { return start_; }
@@ -47,33 +30,13 @@ class AssembledCase {
   std::vector<double> capacities() {
     std::vector<double> padded(system().field_size()), values(grid().size());
     system().conduction().heat_capacities(padded);
-    assembly_.layout.gather(padded, values);
+    full().layout.gather(padded, values);
     return values;
   }
-  SparseHeat sparse_heat() { return make_sparse_heat(system(), assembly_.layout, capacities()); }
+  SparseHeat sparse_heat() { return make_sparse_heat(system(), full().layout, capacities()); }
 
  private:
-  void add_boundary(int b, double level) {
-    const std::string key = "boundary." + std::to_string(b) + ".value";
-    const BoundaryCondition& condition = problem_.boundaries[static_cast<std::size_t>(b)].condition;
-    if (const auto* held = std::get_if<HeldTemperature>(&condition))
-      add_load({key, b, -1, LoadKind::temperature, {}, {}}, held->value, level);
-    if (const auto* flux = std::get_if<PrescribedFlux>(&condition))
-      add_load({key, b, -1, LoadKind::heat, {}, {}}, flux->value, 0.0);
-    if (const auto* convection = std::get_if<Convection>(&condition))
-      add_load({key, b, -1, LoadKind::temperature, {}, {}}, convection->ambient, level);
-  }
-  void add_load(Load load, const Profile& value, double level) {
-    load.shapes = {{Profile(1.0), 0.0}};
-    loads_.push_back(std::move(load));
-    inputs_.push_back(CompiledProfile(value)(Point{}, 0.0) - level);
-  }
-
-  Problem problem_;
-  Assembly assembly_;
-  std::vector<Load> loads_;
   std::vector<double> inputs_, start_;
-  std::unique_ptr<FullSystem> full_;
 };
 
 /// ∫ exp(−rate (t − s)) ds over [0, t].
