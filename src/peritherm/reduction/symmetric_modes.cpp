@@ -45,15 +45,10 @@ class BlockLanczos {
     if (first == size) return false;
     last_width_ = size - first;
     EigenMatrix images = apply(vectors_.middleCols(first, size - first));
-    EigenMatrix shares = vectors_.transpose() * images;
     const double before = images.norm();
-    images.noalias() -= vectors_ * shares;
+    EigenMatrix shares = take_out(images);
     // Little is left where the search ends; elsewhere once is enough.
-    if (images.norm() < 1e-2 * before) {
-      const EigenMatrix rest = vectors_.transpose() * images;
-      images.noalias() -= vectors_ * rest;
-      shares += rest;
-    }
+    if (images.norm() < 1e-2 * before) shares += take_out(images);
     links_.conservativeResizeLike(EigenMatrix::Zero(size, size));
     links_.middleCols(first, size - first) = shares;
     links_.middleRows(first, size - first) = shares.transpose();
@@ -91,6 +86,17 @@ class BlockLanczos {
     EigenVector vector(roots_.size());
     for (double& value : vector) value = static_cast<double>(engine_() >> 11) * 0x1p-52 - 1.0;
     return vector;
+  }
+
+  /// Makes images orthogonal to all vectors; returns the shares of them. Column by column: for a few columns Eigen's
+  /// product of matrices spends most of its time on copies of the vectors.
+  EigenMatrix take_out(EigenMatrix& images) const {
+    EigenMatrix shares(vectors_.cols(), images.cols());
+    for (Eigen::Index k = 0; k < images.cols(); ++k) {
+      shares.col(k).noalias() = vectors_.transpose() * images.col(k);
+      images.col(k).noalias() -= vectors_ * shares.col(k);
+    }
+    return shares;
   }
 
   EigenMatrix apply(const EigenMatrix& block) const {
