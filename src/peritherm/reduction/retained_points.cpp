@@ -13,7 +13,7 @@
 namespace peritherm {
 namespace {
 
-constexpr const char* retained_key = "reduction.method.retained";
+constexpr const char* retained_key = "reduction.retained";
 
 std::string place_text(const Grid& grid, const Point& place) {
   std::vector<std::string> words;

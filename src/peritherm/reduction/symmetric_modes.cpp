@@ -168,7 +168,8 @@ SymmetricModes all_modes(const Matrix& conductances, const Matrix& capacities) {
   return modes;
 }
 
-SymmetricModes slowest_modes(const SparseFactor& conductances, std::span<const double> capacities, std::size_t count) {
+SymmetricModes slowest_modes(const SparseFactor& conductances, std::span<const double> capacities, std::size_t count,
+                             const std::function<void()>& after_block) {
   count = std::min(count, capacities.size());
   if (count == 0) return {};
   BlockLanczos lanczos(conductances, capacities);
@@ -177,6 +178,7 @@ SymmetricModes slowest_modes(const SparseFactor& conductances, std::span<const d
   bool more = true;
   while (more) {
     more = lanczos.grow();
+    if (after_block) after_block();
     if (++blocks < next_look && more) continue;
     if (lanczos.solve(static_cast<Eigen::Index>(count))) break;
     // Looking costs the third power of the size.

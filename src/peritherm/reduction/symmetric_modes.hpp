@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,7 @@ SymmetricModes all_modes(const Matrix& conductances, const Matrix& capacities);
 /// The slowest ones, by block Lanczos steps with K⁻¹ [golub2013, sec. 10.3.6], each to a residual of
 /// 1e-6: rates are then good to 1e-12.
 /// `capacities`: the diagonal of C.
-SymmetricModes slowest_modes(const SparseFactor& conductances, std::span<const double> capacities, std::size_t count);
+SymmetricModes slowest_modes(const SparseFactor& conductances, std::span<const double> capacities, std::size_t count,
+                             const std::function<void()>& after_block = {});
 
 }  // namespace peritherm

@@ -129,6 +129,7 @@ class HeatSystem final : public ThermalSystem {
   bool loads_change() const;
   std::vector<double> probe_loads(double time);
   std::vector<double> allowed_misfit(double from, double to, double tolerance);
+  const std::vector<double>& remembered_misfit(double from, double to, double tolerance);
   bool fits(double begin, double end, int degree, int count, const std::vector<double>& allowed);
   LoadPiece find_piece(double from, double to, int degree, double tolerance);
   bool sources_fit(const LoadPiece& piece, double tolerance);
@@ -147,6 +148,11 @@ class HeatSystem final : public ThermalSystem {
   HeatSystemParts parts_;
   std::size_t field_size_;
   std::vector<Account> accounts_;
+  struct AllowedMisfit {
+    double from = 0.0, to = 0.0, tolerance = 0.0;
+    std::vector<double> allowed{};
+  };
+  AllowedMisfit misfit_;            ///< of the last search for a piece
   std::vector<StoredLoad> fitted_;  ///< derivatives in time at the begin of a piece
   StoredLoad no_load_;
   std::vector<std::int16_t> holder_;  ///< per entry, kept only where bonds to held entries change in time

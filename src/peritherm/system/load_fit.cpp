@@ -114,6 +114,15 @@ std::vector<double> HeatSystem::allowed_misfit(double from, double to, double to
   return lowest;
 }
 
+/// The same, looked for anew only when half of the stretch has been passed: loads are looked at a thousand times for
+/// it.
+const std::vector<double>& HeatSystem::remembered_misfit(double from, double to, double tolerance) {
+  const bool known = misfit_.to == to && misfit_.tolerance == tolerance && from >= misfit_.from &&
+                     to - from > 0.5 * (to - misfit_.from);
+  if (!known) misfit_ = {from, to, tolerance, allowed_misfit(from, to, tolerance)};
+  return misfit_.allowed;
+}
+
 std::optional<ThermalSystem::LoadPiece> HeatSystem::fit_loads(double from, double to, int degree, double tolerance) {
   if (body_changes_within(from, to)) return std::nullopt;
   LoadPiece piece{from, to, 0};
@@ -132,7 +141,7 @@ std::optional<ThermalSystem::LoadPiece> HeatSystem::fit_loads(double from, doubl
 /// The longest piece from `from` on that the probed loads allow.
 ThermalSystem::LoadPiece HeatSystem::find_piece(double from, double to, int degree, double tolerance) {
   LoadPiece piece{from, to, 0};
-  const std::vector<double> allowed = allowed_misfit(from, to, tolerance);
+  const std::vector<double>& allowed = remembered_misfit(from, to, tolerance);
   const double shortest = shortest_piece(from, to);
   const auto good = [&](double end, int d) {
     const int count = std::max(fewest_looks, static_cast<int>(std::ceil(looks * (end - from) / (to - from))));
