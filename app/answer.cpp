@@ -13,10 +13,6 @@
 namespace peritherm::app {
 namespace {
 
-constexpr int interrupted_base = 128;
-
-std::string seconds_text(double seconds) { return seconds < 0.1 ? quantity(seconds, "s") : duration_text(seconds); }
-
 std::string error_estimate_text(double error, double relative) {
   if (!std::isfinite(error)) return "unknown";
   return fmt::format("{:.2g} K rms ({:.2g} of what the temperatures differ by)", error, relative);
@@ -58,7 +54,7 @@ std::string answer_text(const AnswerSummary& summary, const std::string& folder)
   std::string text = fmt::format(
       "{} {} at {} after {}, {} of it by the model\n", counted(summary.loads, "load", "loads"),
       summary.status == "stopped" ? "answered before the stop" : "answered", counted(summary.times, "time", "times"),
-      seconds_text(summary.wall), seconds_text(summary.answer_seconds));
+      measured_time_text(summary.wall), measured_time_text(summary.answer_seconds));
   text += fmt::format("estimated error {}{}\n", error_estimate_text(summary.estimated_error, summary.relative_error),
                       summary.loads > 1 && !summary.worst_load.empty() ? ", of '" + summary.worst_load + "', the worst"
                                                                        : std::string{});
@@ -85,7 +81,7 @@ int run_answer(const AnswerArguments& arguments) {
     for (const std::string& warning : summary.warnings) std::cout << "warning: " << warning << '\n';
     std::cout << answer_text(summary, arguments.folder);
   }
-  return summary.status == "stopped" ? interrupted_base + interrupt() : 0;
+  return summary.status == "stopped" ? exit_signal_base + interrupt() : 0;
 }
 
 }  // namespace peritherm::app

@@ -30,7 +30,6 @@ namespace {
 constexpr int exit_done = 0;
 constexpr int exit_input = static_cast<int>(Fault::input);
 constexpr int exit_machine = static_cast<int>(Fault::machine);
-constexpr int exit_signal_base = 128;  ///< the shell's habit: 130 for SIGINT
 
 struct Arguments {
   std::string case_file;

@@ -81,8 +81,7 @@ int run_papers(const PapersArguments& arguments) {
   }
   display.close();
   print_summary(summary, arguments.quiet);
-  constexpr int signal_base = 128;
-  if (summary.stopped) return signal_base + interrupt();
+  if (summary.stopped) return exit_signal_base + interrupt();
   return summary.verdict.failed == 0 ? 0 : static_cast<int>(Fault::numerics);
 }
 

@@ -17,8 +17,6 @@
 namespace peritherm::app {
 namespace {
 
-constexpr int signal_exit_base = 128;
-
 /// On a terminal one line that says what is being done; elsewhere nothing.
 class StageDisplay {
  public:
@@ -53,12 +51,10 @@ std::string share_text(double error, double span) {
   return span > 0.0 ? kelvin + fmt::format(" ({:.2g} of the span of {:.4g} K)", error / span, span) : kelvin;
 }
 
-std::string time_text(double seconds) { return seconds < 0.1 ? quantity(seconds, "s") : duration_text(seconds); }
-
 std::string cost_text(const ReducedCase& reduced) {
   std::string parts;
   const auto append = [&parts](const char* name, double seconds) {
-    if (seconds > 0.0) parts += (parts.empty() ? "" : ", ") + std::string(name) + ' ' + time_text(seconds);
+    if (seconds > 0.0) parts += (parts.empty() ? "" : ", ") + std::string(name) + ' ' + measured_time_text(seconds);
   };
   append("body and loads", reduced.assembly_seconds);
   append("full run", reduced.cost.run);
@@ -130,10 +126,10 @@ std::string reduction_text(const ReducibleCase& reducible, const ReducedCase& re
                                        counted(reducible.full.present.size(), "point", "points")));
   text += line("answers for", loads_text(model));
   text += line("estimated error", share_text(reduced.estimated_error, reduced.span) + ", rms at the worst output time");
-  text += line("set-up", time_text(reduced.setup_seconds) + cost_text(reduced));
-  text += line("one answer",
-               fmt::format("{} at {}, {} more for all points", time_text(reduced.answer_seconds),
-                           counted(reducible.full.times.size() + 1, "time", "times"), time_text(reduced.lift_seconds)));
+  text += line("set-up", measured_time_text(reduced.setup_seconds) + cost_text(reduced));
+  text += line("one answer", fmt::format("{} at {}, {} more for all points", measured_time_text(reduced.answer_seconds),
+                                         counted(reducible.full.times.size() + 1, "time", "times"),
+                                         measured_time_text(reduced.lift_seconds)));
   for (const std::string& note : reduced.notes) text += line("note", note);
   return text;
 }
@@ -152,7 +148,7 @@ std::string verification_text(const ModelVerification& verification, const Reduc
   }
   const double full = verification.full_seconds, answer = reduced.answer_seconds;
   const double all = answer + reduced.lift_seconds, setup = reduced.setup_seconds;
-  text += line("full run", time_text(full));
+  text += line("full run", measured_time_text(full));
   text +=
       line("speed-up", fmt::format("{:.3g} per load at probes, {:.3g} with all points, {:.3g} for one load with the "
                                    "set-up",
@@ -173,7 +169,7 @@ int run_reduce(const ReduceArguments& arguments) {
     display.close();
     if (interrupt() == 0) throw;
     std::cerr << "stopped\n";
-    return signal_exit_base + interrupt();
+    return exit_signal_base + interrupt();
   }
 }
 

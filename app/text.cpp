@@ -55,6 +55,10 @@ std::string duration_text(double seconds) {
   return fmt::format("{} d {} h", whole / 86400, whole % 86400 / 3600);
 }
 
+std::string measured_time_text(double seconds) {
+  return seconds < 0.1 ? quantity(seconds, "s") : duration_text(seconds);
+}
+
 std::string path_text(const std::filesystem::path& path) {
   std::error_code ignored;
   const std::string relative = std::filesystem::relative(path, ignored).string();

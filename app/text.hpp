@@ -22,6 +22,9 @@ std::string quantity(double value, const std::string& unit);
 /// "0.4 s", "3 min 20 s", "2 h 5 min", "3 d 4 h": a time to wait [s].
 std::string duration_text(double seconds);
 
+/// The same for a time that was measured: below 0.1 s with a prefix, "0.51 ms".
+std::string measured_time_text(double seconds);
+
 /// A path as seen from the current folder, if that is shorter.
 std::string path_text(const std::filesystem::path& path);
 

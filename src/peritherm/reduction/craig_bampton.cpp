@@ -29,7 +29,6 @@ Reduction reduce(const CraigBampton& method, FullSystem& full, const ReductionPr
   }
   const UnitLoads loads = find_unit_loads(full, split.heat);
   result.cost.solves = lap();
-  tell(progress, "modes with the retained points held", 0.1);
   const SymmetricModes modes = slowest_modes(split.factor, capacities_of(split.heat, split.truncated), count,
                                              [&] { tell(progress, "modes with the retained points held", 0.1); });
   result.cost.modes = lap();
