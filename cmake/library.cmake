@@ -1,7 +1,7 @@
 # The library: every *.cpp of every room, without a list to keep.
 include(cmake/version.cmake)
 
-set(PERITHERM_ROOMS base geometry physics solutions discretisation operators system integrators reduction output simulation studies papers)
+set(PERITHERM_ROOMS base geometry physics solutions discretisation operators system integrators reduction two_field output simulation studies papers)
 set(sources)
 set(headers)
 foreach(room IN LISTS PERITHERM_ROOMS)

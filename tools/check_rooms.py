@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 ROOMS = ["base", "geometry", "physics", "solutions", "discretisation", "operators", "system", "integrators", "reduction",
-         "output", "simulation", "studies", "papers"]
+         "two_field", "output", "simulation", "studies", "papers"]
 SEES_ONLY = {"output": {"base", "solutions", "discretisation", "output"}}
 MAX_FILE_LINES = 400
 MAX_FUNCTION_LINES = 60

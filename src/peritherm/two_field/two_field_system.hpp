@@ -1,0 +1,93 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "peritherm/two_field/nonlocal_operators.hpp"
+
+namespace peritherm {
+
+/// What one part is made of.
+struct PartLaw {
+  double volumetric_heat_capacity = 0.0;  ///< ρ c [J/(m³ K)]
+  Tensor conductivity{};                  ///< k [W/(m K)]
+  double relaxation_time = 0.0;           ///< τ [s]; 0: Fourier's law, and the part has no flux of its own
+  double fourier_share = 1.0;             ///< F [1]
+  double stabilisation = 1.0;             ///< s, of tr(k)/d · S [1]
+};
+
+/// One algebraic row: A (P₁ T₁ − P₂ T₂ − R λ) = A g with the multiplier λ, the flux from the first to the second or
+/// out of the body [W/m²].
+struct ContactRow {
+  int first = 0;       ///< part
+  Trace first_trace;   ///< on its points
+  int second = -1;     ///< part; −1: surroundings of temperature g
+  Trace second_trace;  ///< empty for surroundings
+  double area = 0.0;   ///< A [m²]
+  Point position{};    ///< [m]
+};
+
+/// What depends on time. Each function fills one entry per row or per point of all parts; none: zeros.
+struct TwoFieldLoads {
+  std::function<void(double time, Field resistance)> resistance;     ///< R of every row [m² K/W]
+  std::function<void(double time, Field temperature)> surroundings;  ///< g of every row [K]
+  std::function<void(double time, Field heat)> heating;              ///< sources and prescribed fluxes, per point [W]
+  bool resistance_depends_on_time = false;
+};
+
+/// Temperatures of all parts one behind another; fluxes of the parts with τ > 0, axis by axis, each as long as the
+/// temperatures (0 elsewhere); multipliers; and the rates of the former two.
+struct TwoFieldState {
+  std::vector<double> temperature, temperature_rate;
+  std::vector<std::vector<double>> flux, flux_rate;  ///< one per axis; empty if every part obeys Fourier's law
+  std::vector<double> multipliers;
+};
+
+/// C dU/dt + K U + Φᵀ λ = F(t), Φ U − R λ = g(t): temperatures T and total fluxes q of parts that touch, with
+///   ρ c V dT/dt − Gᵀ V q + s k S T + Φᵀ λ = V s,   τ dq/dt + q = −k G T − τ F k G dT/dt.
+class TwoFieldSystem {
+ public:
+  /// Throws Error if rows depend on one another, naming their places.
+  TwoFieldSystem(std::vector<NonlocalOperators> parts, std::vector<PartLaw> laws, std::vector<ContactRow> rows,
+                 TwoFieldLoads loads);
+
+  std::size_t size() const;  ///< points of all parts
+  std::size_t multipliers() const { return rows_.size(); }
+  int dimension() const;
+  /// 1 if every row has R > 0 at the time, else 2; 0 without rows and with τ > 0 everywhere.
+  int index(double time) const;
+
+  std::span<const NonlocalOperators> parts() const { return parts_; }
+  std::span<const PartLaw> laws() const { return laws_; }
+  std::span<const ContactRow> rows() const { return rows_; }
+  const TwoFieldLoads& loads() const { return loads_; }
+
+  /// Total flux at every point [W/m²]: −k G T where τ = 0.
+  void heat_flux(const TwoFieldState& state, const std::array<Field, 3>& flux) const;
+  /// Σ ρ c V T [J].
+  double stored_heat(ConstField temperature) const;
+  /// Largest |Φ U − R λ − g| / A of a row [K].
+  double constraint_residual(double time, const TwoFieldState& state) const;
+
+ private:
+  std::vector<NonlocalOperators> parts_;
+  std::vector<PartLaw> laws_;
+  std::vector<ContactRow> rows_;
+  TwoFieldLoads loads_;
+};
+
+/// How far the rows with R = 0 are from what the temperatures say at the start.
+struct StartFault {
+  std::size_t row = 0;
+  double jump = 0.0;  ///< P₁ T₁ − P₂ T₂ − g [K]
+};
+/// The row with the largest, if it is above what discretisation explains.
+std::optional<StartFault> find_start_fault(const TwoFieldSystem& system, double time, ConstField temperature);
+
+/// Consistent rates and multipliers for temperatures and fluxes (τ > 0; else they are not read). Temperatures move onto
+/// the rows with R = 0 by the least change in heat.
+void make_consistent(const TwoFieldSystem& system, double time, TwoFieldState& state);
+
+}  // namespace peritherm
