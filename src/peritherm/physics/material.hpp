@@ -36,6 +36,12 @@ struct Material {
 /// Heat stored per volume and kelvin, ρ c [J/(m³ K)].
 inline double volumetric_heat_capacity(const Material& m) { return m.density * m.specific_heat; }
 
+/// A third, or in 2-D half, of the trace [W/(m K)].
+inline double mean_conductivity(const std::vector<double>& tensor) {
+  return tensor.size() == 6 ? (tensor[0] + tensor[1] + tensor[2]) / 3.0
+                            : (tensor.size() == 3 ? 0.5 * (tensor[0] + tensor[1]) : 0.0);
+}
+
 /// s for a material that says nothing: waves lose less by a small one.
 inline double default_stabilisation(const FluxLaw& law) { return std::holds_alternative<CattaneoLaw>(law) ? 0.1 : 1.0; }
 
