@@ -137,7 +137,11 @@ void estimate_steps(const Problem& problem, const TimeStepping& stepping, const 
   std::visit(
       [&](const auto& chosen) {
         plan.stable_step = chosen.stability / fastest_rate;
-        if constexpr (requires { chosen.step; }) plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
+        if constexpr (requires { chosen.safety; }) {
+          plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
+        } else if constexpr (requires { chosen.step; }) {
+          plan.step = chosen.step.value_or(0.0);
+        }
       },
       stepping);
 }
