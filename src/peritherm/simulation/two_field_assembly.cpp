@@ -218,6 +218,8 @@ TwoFieldState initial_state(const Problem& problem, const TwoFieldAssembly& asse
   state.temperature = fill(problem.initial.temperature);
   state.temperature_rate.assign(system.size(), 0.0);
   state.multipliers.assign(system.multipliers(), 0.0);
+  state.account_heats.assign(system.loads().accounts, 0.0);
+  state.account_rates.assign(system.loads().accounts, 0.0);
   const bool relaxes = std::any_of(system.laws().begin(), system.laws().end(),
                                    [](const PartLaw& law) { return law.relaxation_time > 0.0; });
   for (int axis = 0; relaxes && axis < system.dimension(); ++axis) {

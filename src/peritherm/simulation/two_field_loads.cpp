@@ -22,6 +22,8 @@ struct CompiledLoads {
   std::vector<double> fixed_resistance;  ///< of rows of convection
   std::vector<Point> positions;          ///< of all rows
   std::vector<LoadedEntries> heating;
+  std::vector<double> areas;    ///< of all rows [m²]
+  std::vector<int> account_of;  ///< of all rows; −1: an interface
 
   void fill(std::vector<RowProfile>& profiles, double time, Field target) const {
     for (RowProfile& entry : profiles) {
@@ -115,7 +117,11 @@ TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& bo
                                    std::span<const RowMeaning> meanings,
                                    const std::vector<LoadedEntries>& surface_fluxes) {
   auto compiled = std::make_shared<CompiledLoads>();
-  for (const ContactRow& row : rows) compiled->positions.push_back(row.position);
+  for (const ContactRow& row : rows) {
+    compiled->positions.push_back(row.position);
+    compiled->areas.push_back(row.area);
+  }
+  for (const RowMeaning& meaning : meanings) compiled->account_of.push_back(meaning.boundary);
   compiled->fixed_resistance.assign(rows.size(), 0.0);
   collect_contacts(problem, meanings, *compiled);
   collect_boundaries(problem, meanings, *compiled);
@@ -144,6 +150,16 @@ TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& bo
       for (LoadedEntries& entries : compiled->heating) entries.add(time, heat);
     };
   }
+  loads.accounts = problem.boundaries.size() + (problem.sources.empty() ? 0 : 1);
+  loads.account_rates = [compiled](double time, ConstField multipliers, Field rates) {
+    std::fill(rates.begin(), rates.end(), 0.0);
+    for (std::size_t r = 0; r < multipliers.size(); ++r) {
+      const int account = compiled->account_of[r];
+      if (account >= 0) rates[static_cast<std::size_t>(account)] -= compiled->areas[r] * multipliers[r];
+    }
+    for (LoadedEntries& entries : compiled->heating)
+      rates[static_cast<std::size_t>(entries.account)] += entries.sum(time);
+  };
   return loads;
 }
 
