@@ -83,6 +83,9 @@ bool contains(const Shape& shape, const Point& point, double slack);
 /// Appends the shares u in (0, 1) of the way from a to b at which the surface is crossed, in any order.
 void append_crossings(const Shape& shape, const Point& a, const Point& b, std::vector<double>& shares);
 
+/// Height above the surface, negative inside; its size is at most the distance, and is the distance but near edges [m].
+double height_above(const Shape& shape, const Point& point);
+
 /// Does the surface come as near to the point as `distance` [m]? Errs towards yes.
 bool surface_within(const Shape& shape, const Point& point, double distance);
 

@@ -37,7 +37,9 @@ double temperature_between_points(const Snapshot& snapshot, const Point& place) 
 
 std::vector<double> temperatures_at(const Snapshot& snapshot, const std::vector<Point>& places) {
   std::vector<double> values;
-  if (snapshot.grid.dimension == 2) {
+  if (snapshot.temperature_at) {
+    for (const Point& place : places) values.push_back(snapshot.temperature_at(place));
+  } else if (snapshot.grid.dimension == 2) {
     // Cracks of plates part what is on their sides.
     const Section section = make_section(snapshot, PictureOutput{});
     const SectionSampler sample(section, Smoothing::bilinear);
