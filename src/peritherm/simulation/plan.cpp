@@ -253,14 +253,4 @@ Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenS
   return plan;
 }
 
-Plan plan(const Problem& problem) {
-  const Prepared prepared = prepare(problem);
-  const Assembly assembly = assemble(prepared.problem);
-  // Refuses a step beyond the stability limit, as the run would.
-  const ChosenStepping chosen =
-      choose_stepping(prepared.problem.time.integrator, *assembly.system, 0.0, march_times(prepared.problem));
-  make_integrator(chosen.stepping, *assembly.system);
-  return make_plan(prepared, assembly, chosen);
-}
-
 }  // namespace peritherm
