@@ -1,5 +1,6 @@
 #pragma once
 
+#include "peritherm/base/error.hpp"
 #include "peritherm/integrators/integrator.hpp"
 
 namespace peritherm {

@@ -205,37 +205,22 @@ TwoFieldAssembly assemble_two_field(const Problem& problem) {
 }
 
 TwoFieldState initial_state(const Problem& problem, const TwoFieldAssembly& assembly) {
-  TwoFieldState state;
   const TwoFieldSystem& system = *assembly.system;
-  const auto fill = [&](const Profile& profile) {
-    std::vector<double> values;
+  TwoFieldState state = system.make_state();
+  const auto fill = [&](const Profile& profile, bool relaxing, Field target) {
     CompiledProfile compiled(profile);
-    for (const SubDomain& part : assembly.body.parts) {
-      for (const Point& place : part.positions) values.push_back(compiled(place, 0.0));
+    std::size_t number = 0;
+    for (std::size_t p = 0; p < assembly.body.parts.size(); ++p) {
+      const bool skip = relaxing && system.laws()[p].relaxation_time == 0.0;
+      for (const Point& place : assembly.body.parts[p].positions) {
+        if (!skip) target[number] = compiled(place, 0.0);
+        ++number;
+      }
     }
-    return values;
   };
-  state.temperature = fill(problem.initial.temperature);
-  state.temperature_rate.assign(system.size(), 0.0);
-  state.multipliers.assign(system.multipliers(), 0.0);
-  state.account_heats.assign(system.loads().accounts, 0.0);
-  state.account_rates.assign(system.loads().accounts, 0.0);
-  const bool relaxes = std::any_of(system.laws().begin(), system.laws().end(),
-                                   [](const PartLaw& law) { return law.relaxation_time > 0.0; });
-  for (int axis = 0; relaxes && axis < system.dimension(); ++axis) {
-    const auto& given = problem.initial.heat_flux;
-    state.flux.push_back(given ? fill((*given)[static_cast<std::size_t>(axis)])
-                               : std::vector<double>(system.size(), 0.0));
-    state.flux_rate.emplace_back(system.size(), 0.0);
-  }
-  std::size_t first = 0;
-  for (std::size_t p = 0; p < assembly.body.parts.size(); ++p) {
-    const std::size_t size = assembly.body.parts[p].size();
-    for (auto& component : state.flux) {
-      if (system.laws()[p].relaxation_time == 0.0)
-        std::fill_n(component.begin() + static_cast<std::ptrdiff_t>(first), size, 0.0);
-    }
-    first += size;
+  fill(problem.initial.temperature, false, state.temperature);
+  for (std::size_t axis = 0; problem.initial.heat_flux && axis < state.flux.size(); ++axis) {
+    fill((*problem.initial.heat_flux)[axis], true, state.flux[axis]);
   }
   return state;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "peritherm/two_field/contact_rows.hpp"
 #include "peritherm/two_field/nonlocal_operators.hpp"
 
 namespace peritherm {
@@ -16,17 +18,6 @@ struct PartLaw {
   double relaxation_time = 0.0;           ///< τ [s]; 0: Fourier's law, and the part has no flux of its own
   double fourier_share = 1.0;             ///< F [1]
   double stabilisation = 1.0;             ///< s, of tr(k)/d · S [1]
-};
-
-/// One algebraic row: A (P₁ T₁ − P₂ T₂ − R λ) = A g with the multiplier λ, the flux from the first to the second or
-/// out of the body [W/m²].
-struct ContactRow {
-  int first = 0;       ///< part
-  Trace first_trace;   ///< on its points
-  int second = -1;     ///< part; −1: surroundings of temperature g
-  Trace second_trace;  ///< empty for surroundings
-  double area = 0.0;   ///< A [m²]
-  Point position{};    ///< [m]
 };
 
 /// What depends on time. Each function fills one entry per row or per point of all parts; none: zeros.
@@ -69,18 +60,48 @@ class TwoFieldSystem {
   std::span<const ContactRow> rows() const { return rows_; }
   const TwoFieldLoads& loads() const { return loads_; }
 
-  /// Total flux at every point [W/m²]: −k G T where τ = 0.
+  /// Total flux at every point [W/m²]: −k G T where τ = 0. One field per axis.
   void heat_flux(const TwoFieldState& state, const std::array<Field, 3>& flux) const;
   /// Σ ρ c V T [J].
   double stored_heat(ConstField temperature) const;
-  /// Largest |Φ U − R λ − g| / A of a row [K].
+  /// Largest |P₁ T₁ − P₂ T₂ − R λ − g| of a row [K].
   double constraint_residual(double time, const TwoFieldState& state) const;
 
+  /// A state of zeros.
+  TwoFieldState make_state() const;
+  bool has_fluxes() const { return has_fluxes_; }  ///< τ > 0 anywhere?
+  std::size_t first_point(std::size_t part) const { return first_point_[part]; }
+  ConstField capacities() const { return capacities_; }  ///< ρ c V [J/K]
+  const ContactMatrix& contacts() const { return contacts_; }
+  /// R of every row; 0 without a function [m² K/W].
+  std::vector<double> resistances(double time) const;
+  /// A g of every row [K m²].
+  std::vector<double> surroundings(double time) const;
+  /// heat += factor · what sources and prescribed fluxes bring [W].
+  void add_heating(double time, double factor, Field heat) const;
+  /// heat += factor · what acts at once: (Gᵀ V k G + s k S) T where τ = 0, s k S T elsewhere [W].
+  void add_conduction(double factor, ConstField temperature, Field heat) const;
+  /// heat += factor · Gᵀ V q, of the parts with τ > 0 [W].
+  void add_divergence(double factor, const std::vector<std::vector<double>>& flux, Field heat) const;
+  /// flux = k G T in the parts with τ > 0, 0 elsewhere.
+  void conductive_flux(ConstField temperature, std::vector<std::vector<double>>& flux) const;
+  /// Rows of Gᵀ V κ k G + s k S for a part, κ = (1 + τ F σ) / (1 + τ σ): what is left of K at a shift σ without q.
+  PatternRows stage_conduction(std::size_t part, double shift) const;
+
  private:
+  ConstField of_part(ConstField all, std::size_t part) const;
+  Field of_part(Field all, std::size_t part) const;
+  void refuse_dependent_rows() const;
+
   std::vector<NonlocalOperators> parts_;
   std::vector<PartLaw> laws_;
   std::vector<ContactRow> rows_;
   TwoFieldLoads loads_;
+  std::vector<std::size_t> first_point_;
+  std::vector<double> capacities_;
+  std::vector<PatternRows> at_once_;
+  ContactMatrix contacts_;
+  bool has_fluxes_ = false;
 };
 
 /// How far the rows with R = 0 are from what the temperatures say at the start.
@@ -92,7 +113,7 @@ struct StartFault {
 std::optional<StartFault> find_start_fault(const TwoFieldSystem& system, double time, ConstField temperature);
 
 /// Consistent rates and multipliers for temperatures and fluxes (τ > 0; else they are not read). Temperatures move onto
-/// the rows with R = 0 by the least change in heat.
+/// the rows with R = 0 by the least change in heat; their rates keep the rows.
 void make_consistent(const TwoFieldSystem& system, double time, TwoFieldState& state);
 
 }  // namespace peritherm
