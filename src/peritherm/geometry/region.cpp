@@ -124,9 +124,7 @@ void append(const Polygon& polygon, const Walk& walk) {
   }
 }
 
-// height_above(form, x): a number whose size is at most the distance of x from the surface.
-
-double height_above(const Box& box, const Point& x) {
+double height_of(const Box& box, const Point& x) {
   double height = -std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < box.from.size(); ++axis) {
     height = std::max({height, box.from[axis] - x[axis], x[axis] - box.to[axis]});
@@ -134,11 +132,11 @@ double height_above(const Box& box, const Point& x) {
   return height;
 }
 
-double height_above(const Ball& ball, const Point& x) {
+double height_of(const Ball& ball, const Point& x) {
   return length(difference(x, to_point(ball.centre))) - ball.radius;
 }
 
-double height_above(const Cylinder& cylinder, const Point& x) {
+double height_of(const Cylinder& cylinder, const Point& x) {
   const Point from = to_point(cylinder.from);
   const Point axis = difference(to_point(cylinder.to), from);
   const Point arm = difference(x, from);
@@ -148,24 +146,28 @@ double height_above(const Cylinder& cylinder, const Point& x) {
   return std::max({radius - cylinder.radius, -along, along - axis_length});
 }
 
-double height_above(const HalfSpace& half_space, const Point& x) {
+double height_of(const HalfSpace& half_space, const Point& x) {
   const Point normal = to_point(half_space.normal);
   return dot(normal, x) / length(normal) - half_space.offset;
 }
 
-double height_above(const Polygon& polygon, const Point& x) {
+double height_of(const Polygon& polygon, const Point& x) {
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < polygon.points.size(); ++k) {
     const Coordinates& next = polygon.points[(k + 1) % polygon.points.size()];
     distance = std::min(distance, distance_from_edge(polygon.points[k], next, x[0], x[1]));
   }
-  return distance;
+  return is_inside(polygon, x, 0.0) ? -distance : distance;
 }
 
 }  // namespace
 
+double height_above(const Shape& shape, const Point& point) {
+  return std::visit([&](const auto& form) { return height_of(form, point); }, shape);
+}
+
 bool surface_within(const Shape& shape, const Point& point, double distance) {
-  return std::visit([&](const auto& form) { return std::abs(height_above(form, point)) <= distance; }, shape);
+  return std::abs(height_above(shape, point)) <= distance;
 }
 
 bool contains(const Shape& shape, const Point& point, double slack) {

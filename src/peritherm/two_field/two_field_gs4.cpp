@@ -31,6 +31,7 @@ void combine(double a, const std::vector<double>& x, double b, const std::vector
 void combine(double a, const FieldPair& x, double b, const FieldPair& y, FieldPair& result) {
   combine(a, x.temperature, b, y.temperature, result.temperature);
   for (std::size_t axis = 0; axis < x.flux.size(); ++axis) combine(a, x.flux[axis], b, y.flux[axis], result.flux[axis]);
+  for (std::size_t k = 0; k < x.accounts.size(); ++k) result.accounts[k] = a * x.accounts[k] + b * y.accounts[k];
 }
 
 Error inconsistent_start(const TwoFieldSystem& system, const StartFault& fault) {
@@ -52,7 +53,7 @@ TwoFieldGs4::TwoFieldGs4(const GeneralisedSingleStep& options, const TwoFieldSys
       sequence_(options.step),
       method_(method.value_or(choose_stage_method(system, 0))) {
   const TwoFieldState zeros = system.make_state();
-  const FieldPair pair{zeros.temperature, zeros.flux};
+  const FieldPair pair{zeros.temperature, zeros.flux, zeros.account_heats};
   rate_ = corrected_ = corrected_before_ = new_rate_ = new_corrected_ = change_ = pair;
   heat_ = zeros.temperature;
   rows_ = multipliers_ = zeros.multipliers;
@@ -122,7 +123,8 @@ void TwoFieldGs4::find_start(double from, TwoFieldState& state) {
   starting_ = options_.start != SingleStepStart::consistent || sequence_.follows_errors();
   if (fault) return;
   make_consistent(system_, from, state);
-  corrected_ = {state.temperature_rate, state.flux_rate};
+  corrected_ = {state.temperature_rate, state.flux_rate, state.account_rates};
+  if (system_.loads().account_rates) system_.loads().account_rates(from, state.multipliers, corrected_.accounts);
   rate_ = corrected_;
 }
 
@@ -254,6 +256,7 @@ void TwoFieldGs4::include(double time, const TwoFieldState& state) {
 void TwoFieldGs4::show_rates(TwoFieldState& state) const {
   state.temperature_rate = corrected_.temperature;
   state.flux_rate = corrected_.flux;
+  state.account_rates = corrected_.accounts;
 }
 
 void TwoFieldGs4::add_change(TwoFieldState& state) const {
@@ -261,7 +264,21 @@ void TwoFieldGs4::add_change(TwoFieldState& state) const {
   for (std::size_t axis = 0; axis < state.flux.size(); ++axis) {
     combine(1.0, state.flux[axis], 1.0, change_.flux[axis], state.flux[axis]);
   }
+  for (std::size_t k = 0; k < change_.accounts.size(); ++k) state.account_heats[k] += change_.accounts[k];
   state.multipliers = multipliers_;
+}
+
+/// What passes each boundary by the rule of the temperatures, for the multipliers at the stage.
+void TwoFieldGs4::make_accounts(const Gs4Parameters& with, double time, double length, const FieldPair& rate,
+                                const TwoFieldState& state) {
+  if (!system_.loads().account_rates) return;
+  std::vector<double> at_stage(multipliers_);
+  combine(1.0 - with.alpha_f, state.multipliers, with.alpha_f, multipliers_, at_stage);
+  system_.loads().account_rates(time + with.alpha_f * length, at_stage, change_.accounts);
+  const double share = with.gamma / with.alpha_m;
+  for (std::size_t k = 0; k < change_.accounts.size(); ++k) {
+    change_.accounts[k] = length * (share * change_.accounts[k] + (1.0 - share) * rate.accounts[k]);
+  }
 }
 
 /// What the step changes if temperatures stay: Δq = Δq₀ − κ k G ΔT with
@@ -347,6 +364,7 @@ void TwoFieldGs4::solve(const Gs4Parameters& with, double time, double length, c
   solver.solve(heat_, rows_, tolerance, change_.temperature, multipliers_);
   ++count_.steps.evaluations;
   if (system_.has_fluxes()) complete_flux(with.shift(length));
+  make_accounts(with, time, length, rate, state);
 }
 
 /// The solver for a shift, kept from before if there is one.

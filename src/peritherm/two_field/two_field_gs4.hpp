@@ -10,10 +10,11 @@
 
 namespace peritherm {
 
-/// Temperatures, and fluxes axis by axis; or their rates.
+/// Temperatures, fluxes axis by axis, and the heat of each account; or their rates.
 struct FieldPair {
   std::vector<double> temperature;
   std::vector<std::vector<double>> flux;
+  std::vector<double> accounts;
 };
 
 /// GS4-1 for two fields with constraints: what has a rate is balanced within the step, at t(n) + α_f h; constraints,
@@ -45,6 +46,8 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
                   const TwoFieldState& state);
   void eliminate_flux(const Gs4Parameters& with, double length, const FieldPair& rate, const TwoFieldState& state);
   void complete_flux(double shift);
+  void make_accounts(const Gs4Parameters& with, double time, double length, const FieldPair& rate,
+                     const TwoFieldState& state);
   void guess(double length);
   void add_change(TwoFieldState& state) const;
   void show_rates(TwoFieldState& state) const;

@@ -69,6 +69,8 @@ TwoFieldState TwoFieldSystem::make_state() const {
     state.flux_rate = state.flux;
   }
   state.multipliers.assign(multipliers(), 0.0);
+  state.account_heats.assign(loads_.accounts, 0.0);
+  state.account_rates = state.account_heats;
   return state;
 }
 

@@ -26,6 +26,10 @@ struct TwoFieldLoads {
   std::function<void(double time, Field temperature)> surroundings;  ///< g of every row [K]
   std::function<void(double time, Field heat)> heating;              ///< sources and prescribed fluxes, per point [W]
   bool resistance_depends_on_time = false;
+  /// Heat that enters through each boundary, and from sources, for the multipliers [W]. Integrators move its sums with
+  /// the rule and the stages of the temperatures, so that energy balances to rounding.
+  std::size_t accounts = 0;
+  std::function<void(double time, ConstField multipliers, Field rates)> account_rates;
 };
 
 /// Temperatures of all parts one behind another; fluxes of the parts with τ > 0, axis by axis, each as long as the
@@ -34,6 +38,7 @@ struct TwoFieldState {
   std::vector<double> temperature, temperature_rate;
   std::vector<std::vector<double>> flux, flux_rate;  ///< one per axis; empty if every part obeys Fourier's law
   std::vector<double> multipliers;
+  std::vector<double> account_heats, account_rates;  ///< [J], [W]
 };
 
 /// C dU/dt + K U + Φᵀ λ = F(t), Φ U − R λ = g(t): temperatures T and total fluxes q of parts that touch, with
