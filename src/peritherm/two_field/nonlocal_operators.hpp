@@ -1,21 +1,16 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
-#include "peritherm/base/sparse_matrix.hpp"
 #include "peritherm/discretisation/sub_domains.hpp"
 #include "peritherm/physics/kernel.hpp"
+#include "peritherm/two_field/pattern_rows.hpp"
+#include "peritherm/two_field/tensor.hpp"
+#include "peritherm/two_field/traces.hpp"
 
 namespace peritherm {
-
-using Tensor = std::array<Point, 3>;  ///< symmetric; rows and columns of unused directions are 0
-
-/// Weights on some points of one part, exact for linear functions: the temperature at a place of its surface.
-struct Trace {
-  std::vector<PointIndex> points;  ///< numbers within the part
-  std::vector<double> weights;     ///< their sum is 1
-};
 
 /// Gradient, divergence and stabilisation on the points of one part.
 ///   G T = K⁻¹ Σ ω (T_j − T_i) ξ V_j with the shape tensor K = Σ ω ξ ξᵀ V_j, exact for linear T at every point;
@@ -27,7 +22,8 @@ class NonlocalOperators {
  public:
   /// `surface`: positions and normals out of the part. In 1-D traces come from Gᵀ V 1, and nothing is corrected.
   /// Throws Error if a point has too few neighbours, or a place of the surface too few points, naming the place.
-  NonlocalOperators(int dimension, const SubDomain& part, std::vector<SurfacePoint> surface, const Kernel& kernel);
+  NonlocalOperators(int dimension, const SubDomain& part, const std::vector<SurfacePoint>& surface,
+                    const Kernel& kernel);
 
   std::size_t size() const { return volumes_.size(); }
   int dimension() const { return dimension_; }
@@ -38,17 +34,18 @@ class NonlocalOperators {
   void gradient(ConstField temperature, const std::array<Field, 3>& gradient) const;
   /// result += Σ_a G_aᵀ field_a.
   void add_adjoint_gradient(const std::array<ConstField, 3>& field, Field result) const;
-  /// result += factor · S T [m³ K/m²].
-  void add_stabilisation(double factor, ConstField temperature, Field result) const;
-  /// result += (Σ_ab Gᵀ_a V tensor_ab G_b + stabilisation · S) T: as quick as can be, by patterns of equal rows.
-  void add_conduction(const Tensor& tensor, double stabilisation, ConstField temperature, Field result) const;
-  /// The same as a matrix.
-  SparseMatrix conduction_matrix(const Tensor& tensor, double stabilisation) const;
+  /// Σ_ab Gᵀ_a V tensor_ab G_b + stabilisation · S [m^(d-2) times the unit of both], symmetric: make it once, keep it,
+  /// and use its add_product, row, diagonal or matrix. Where the tensor is `stabilisation` in every direction, its rows
+  /// reach one horizon only (bond-based), else two.
+  PatternRows conduction(const Tensor& tensor, double stabilisation) const;
 
  private:
   int dimension_;
   std::vector<double> volumes_;
   std::vector<Trace> traces_;
+  std::shared_ptr<const GradientClasses> classes_;
+  std::shared_ptr<const PointClasses> surroundings_;
+  std::vector<PatternRows> gradient_, adjoint_;  ///< one per axis
 };
 
 }  // namespace peritherm
