@@ -22,6 +22,10 @@ class ContactMode {
   ContactMode with_unit_at(std::size_t layer, double x) const;
   std::complex<double> amplitude(std::size_t layer, double x) const;  ///< of T at y = 0, t = 0
 
+  std::complex<double> factor(std::size_t layer) const { return factors_[layer]; }               ///< A, B
+  std::complex<double> root(std::size_t layer) const { return roots_[layer]; }                   ///< b [1/m]
+  std::complex<double> conductivity(std::size_t layer) const { return conductivities_[layer]; }  ///< k_e(σ)
+
   double temperature(std::size_t layer, double x, double time, double y = 0.0) const;
   double temperature_rate(std::size_t layer, double x, double time, double y = 0.0) const;  ///< ∂T/∂t
   double flux_along_x(std::size_t layer, double x, double time, double y = 0.0) const;      ///< [W/m²]
