@@ -22,7 +22,7 @@ PatternRows make_gradient_rows(const GradientClasses& gradient, int axis) {
 
 NonlocalOperators::NonlocalOperators(int dimension, const SubDomain& part, const std::vector<SurfacePoint>& surface,
                                      const Kernel& kernel)
-    : dimension_(dimension), volumes_(part.volumes) {
+    : dimension_(dimension), volumes_(part.volumes), positions_(part.positions), horizon_(part.horizon) {
   auto classes = std::make_shared<GradientClasses>(dimension, part, Families(dimension, part, kernel));
   traces_ = make_traces(part, surface, *classes);
   classes_ = classes;
