@@ -16,14 +16,6 @@
 namespace peritherm {
 namespace {
 
-std::string name_of_boundary(const BoundaryOptions& boundary, std::size_t number) {
-  const std::string type =
-      std::visit([](const auto& condition) { return std::string(condition.name); }, boundary.condition);
-  const std::string place =
-      boundary.face ? std::string(name_of(*boundary.face)) : "region " + std::to_string(number + 1);
-  return place + " " + type;
-}
-
 /// In 2-D bonds through a tip stay whole. A tip on a face is moved out of the body, so that those along the face are
 /// cut.
 Crack reach_out(Crack crack, const Grid& grid) {
@@ -261,6 +253,14 @@ bool stands_on_open_face(const Problem& problem) {
 }
 
 }  // namespace
+
+std::string name_of_boundary(const BoundaryOptions& boundary, std::size_t number) {
+  const std::string type =
+      std::visit([](const auto& condition) { return std::string(condition.name); }, boundary.condition);
+  const std::string place =
+      boundary.face ? std::string(name_of(*boundary.face)) : "region " + std::to_string(number + 1);
+  return place + " " + type;
+}
 
 bool is_open(const BoundaryOptions& boundary) {
   if (boundary.where) return false;

@@ -8,6 +8,7 @@
 
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/discretisation/stencil.hpp"
+#include "peritherm/discretisation/sub_domains.hpp"
 #include "peritherm/geometry/crack.hpp"
 #include "peritherm/geometry/face.hpp"
 #include "peritherm/geometry/region.hpp"
@@ -26,18 +27,6 @@
 #include "peritherm/simulation/scheme.hpp"
 
 namespace peritherm {
-
-/// Where the points of a part stand.
-enum class PartPoints {
-  grid,  ///< in the centres of the cells
-  rings  ///< on rings around the centre of a ball, in 2-D
-};
-
-template <>
-struct EnumNames<PartPoints> {
-  static constexpr std::array<std::pair<PartPoints, std::string_view>, 2> values{
-      {{PartPoints::grid, "grid"}, {PartPoints::rings, "rings"}}};
-};
 
 /// A part of the body with another material; later regions overwrite earlier ones.
 struct BodyRegion {
