@@ -20,18 +20,18 @@ inline Grid unit_box(int dimension, int cells) {
   return grid;
 }
 
-/// Volume of a part [m³].
+/// Volume of a part, summed so finely that only the rounding of each point's own counts [m³].
 inline double volume_of(const SubDomain& part) {
-  double sum = 0.0;
+  long double sum = 0.0;
   for (const double volume : part.volumes) sum += volume;
-  return sum;
+  return static_cast<double>(sum);
 }
 
 /// Σ A n = 0 and Σ A n xᵀ = (Σ V) 1 for every part, to what sums of as many terms may lose.
 inline void expect_closed(const DividedBody& body) {
   for (std::size_t p = 0; p < body.parts.size(); ++p) {
-    Point sum{};
-    std::array<Point, 3> moment{};
+    std::array<long double, 3> sum{};
+    std::array<std::array<long double, 3>, 3> moment{};
     double scale = 0.0;
     for (const SurfacePoint& point : body.surface) {
       if (point.first != static_cast<int>(p) && point.second != static_cast<int>(p)) continue;
@@ -46,9 +46,9 @@ inline void expect_closed(const DividedBody& body) {
     }
     const double tolerance = rounding(body.surface.size() + body.parts[p].size(), scale);
     for (int a = 0; a < body.dimension; ++a) {
-      EXPECT_NEAR(sum[a], 0.0, tolerance) << "part " << body.parts[p].name << ", component " << a;
+      EXPECT_NEAR(static_cast<double>(sum[a]), 0.0, tolerance) << "part " << body.parts[p].name << ", component " << a;
       for (int b = 0; b < body.dimension; ++b) {
-        EXPECT_NEAR(moment[a][b], a == b ? volume_of(body.parts[p]) : 0.0, tolerance)
+        EXPECT_NEAR(static_cast<double>(moment[a][b]), a == b ? volume_of(body.parts[p]) : 0.0, tolerance)
             << "part " << body.parts[p].name << ", components " << a << b;
       }
     }

@@ -74,11 +74,10 @@ inline TwoFieldSystem make_two_layers(const TwoLayers& layers, int cells, double
                         std::move(rows), std::move(loads));
 }
 
-/// Linear between points a spacing apart that begin half a spacing behind 0.
-inline double value_between(ConstField values, double spacing, double place) {
-  const double at = place / spacing - 0.5;
-  const auto n = static_cast<std::size_t>(at);
-  return values[n] + (at - static_cast<double>(n)) * (values[n + 1] - values[n]);
+/// In the middle between four points, by the cubic through them; the points' number is even.
+inline double value_in_the_middle(ConstField values) {
+  const std::size_t n = values.size() / 2;
+  return (9.0 * (values[n - 1] + values[n]) - (values[n - 2] + values[n + 1])) / 16.0;
 }
 
 }  // namespace peritherm

@@ -5,6 +5,7 @@
 
 #include "peritherm/base/text.hpp"
 #include "peritherm/discretisation/point_blocks.hpp"
+#include "peritherm/geometry/vector.hpp"
 
 namespace peritherm {
 namespace {
@@ -39,11 +40,11 @@ class CellSorter {
     KindIndex at_corners = near.background;
     bool cut = false;
     for (const CellLayer* layer : near.layers) {
-      const auto [lowest, highest] = heights_at_corners(layer->shape, centre);
-      cut = cut || (lowest < 0.0 && highest > 0.0);
-      // Every corner on the surface: something one cell thick, or outside it.
-      const bool inside = lowest < 0.0 || (highest == 0.0 && height_above(layer->shape, centre) < 0.0);
-      if (inside) at_corners = layer->kind;
+      const CornerHeights heights = heights_at_corners(layer->shape, block_.grid, block_.grid.index(cell));
+      // All corners on one surface: what is one cell thick has both sides there.
+      const bool flat = heights.inside() && heights.outside();
+      if (flat ? height_above(layer->shape, centre) < 0.0 : heights.inside()) at_corners = layer->kind;
+      cut = cut || (!heights.inside() && !heights.outside());
     }
     if (cut) return mark_cut(cell);
     if (at_corners != block_.kind_of[cell]) report(cell, at_corners, centre);
@@ -55,19 +56,6 @@ class CellSorter {
   }
 
  private:
-  std::pair<double, double> heights_at_corners(const Shape& shape, const Point& centre) const {
-    const double half = 0.5 * block_.grid.spacing;
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (int corner = 0; corner < 1 << block_.grid.dimension; ++corner) {
-      Point x = centre;
-      for (int axis = 0; axis < block_.grid.dimension; ++axis) x[axis] += (corner >> axis & 1) != 0 ? half : -half;
-      const double height = snapped_height(shape, x, block_.grid.spacing);
-      lowest = std::min(lowest, height);
-      highest = std::max(highest, height);
-    }
-    return {lowest, highest};
-  }
-
   void mark_cut(std::size_t cell) {
     if (block_.is_cut.empty()) block_.is_cut.resize(block_.grid.size(), 0);
     block_.is_cut[cell] = 1;
@@ -88,23 +76,56 @@ class CellSorter {
   std::vector<bool> reported_;
 };
 
-/// Numbers of all cells of the component that a cell belongs to are set to `part`.
-std::size_t flood(CellBlock& block, std::size_t seed, int part) {
-  std::vector<std::size_t> open{seed};
-  block.part_of[seed] = part;
-  std::size_t count = 0;
-  while (!open.empty()) {
-    const std::size_t cell = open.back();
-    open.pop_back();
-    ++count;
-    for_each_neighbour(block.grid, cell, [&](std::size_t neighbour) {
-      if (block.part_of[neighbour] >= 0 || block.kind_of[neighbour] != block.kind_of[cell]) return;
-      block.part_of[neighbour] = part;
-      open.push_back(neighbour);
-    });
+/// Numbers the cells of connected components.
+class ComponentFinder {
+ public:
+  explicit ComponentFinder(CellBlock& block) : block_(block), layers_(all_layers(block)) {}
+
+  /// Gives the component of a cell its number; returns how many cells it has.
+  std::size_t flood(std::size_t seed, int part) {
+    std::vector<std::size_t> open{seed};
+    block_.part_of[seed] = part;
+    std::size_t count = 0;
+    while (!open.empty()) {
+      const std::size_t cell = open.back();
+      open.pop_back();
+      ++count;
+      const auto visit = [&](std::size_t neighbour) {
+        if (block_.part_of[neighbour] >= 0 || block_.kind_of[neighbour] != block_.kind_of[cell]) return;
+        block_.part_of[neighbour] = part;
+        open.push_back(neighbour);
+      };
+      for_each_neighbour(block_.grid, cell, visit);
+      if (!block_.cut_cells.empty()) visit_diagonal(cell, visit);
+    }
+    return count;
   }
-  return count;
-}
+
+ private:
+  /// Near a surface that is not along cells, two that touch at an edge or a corner hang together if it is inside.
+  template <class Visit>
+  void visit_diagonal(std::size_t cell, const Visit& visit) const {
+    const Grid& grid = block_.grid;
+    const GridIndex place = grid.index(cell);
+    const int reach[] = {1, grid.dimension > 1 ? 1 : 0, grid.dimension > 2 ? 1 : 0};
+    for (int dz = -reach[2]; dz <= reach[2]; ++dz) {
+      for (int dy = -reach[1]; dy <= reach[1]; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const GridIndex other{place[0] + dx, place[1] + dy, place[2] + dz};
+          if (dx * dx + dy * dy + dz * dz < 2 || !grid.contains(other)) continue;
+          const std::size_t neighbour = grid.number(other);
+          if (!block_.cut(cell) && !block_.cut(neighbour)) continue;
+          if (block_.part_of[neighbour] >= 0 || block_.kind_of[neighbour] != block_.kind_of[cell]) continue;
+          const Point touch = between(grid.position(place), grid.position(other), 0.5);
+          if (kind_at(layers_, touch, 0.0) == block_.kind_of[cell]) visit(neighbour);
+        }
+      }
+    }
+  }
+
+  CellBlock& block_;
+  NearLayers layers_;
+};
 
 SubDomain empty_part(const PartKind& kind, double spacing, std::size_t size) {
   SubDomain part;
@@ -158,9 +179,39 @@ KindIndex kind_at(const NearLayers& layers, const Point& x, double slack) {
   return layers.background;
 }
 
-double snapped_height(const Shape& shape, const Point& x, double spacing) {
-  const double height = height_above(shape, x);
-  return std::abs(height) < snapping * spacing ? 0.0 : height;
+double snapped(double height, double spacing) { return std::abs(height) < snapping * spacing ? 0.0 : height; }
+
+void append_snapped_heights(const Shape& shape, const Point& x, double spacing, std::vector<double>& heights) {
+  const std::size_t begin = heights.size();
+  append_heights(shape, x, heights);
+  for (std::size_t k = begin; k < heights.size(); ++k) heights[k] = snapped(heights[k], spacing);
+}
+
+bool CornerHeights::outside() const {
+  return std::any_of(lowest.begin(), lowest.end(), [](double height) { return height >= 0.0; });
+}
+
+bool CornerHeights::inside() const {
+  return std::all_of(highest.begin(), highest.end(), [](double height) { return height <= 0.0; });
+}
+
+CornerHeights heights_at_corners(const Shape& shape, const Grid& grid, const GridIndex& cell) {
+  CornerHeights found;
+  std::vector<double> heights;
+  for (int corner = 0; corner < 1 << grid.dimension; ++corner) {
+    Point x{};
+    for (int axis = 0; axis < grid.dimension; ++axis) {
+      x[axis] = grid.origin[axis] + (cell[axis] + (corner >> axis & 1)) * grid.spacing;
+    }
+    heights.clear();
+    append_snapped_heights(shape, x, grid.spacing, heights);
+    if (corner == 0) found = {heights, heights};
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+      found.lowest[k] = std::min(found.lowest[k], heights[k]);
+      found.highest[k] = std::max(found.highest[k], heights[k]);
+    }
+  }
+  return found;
 }
 
 void assign_kinds(CellBlock& block, const std::vector<PartKind>& kinds, std::vector<Issue>& issues) {
@@ -195,9 +246,10 @@ void append_components(CellBlock& block, const std::vector<PartKind>& kinds, std
   const Grid& grid = block.grid;
   block.part_of.assign(grid.size(), -1);
   block.point_of.assign(grid.size(), 0);
+  ComponentFinder finder(block);
   for (std::size_t cell = 0; cell < grid.size(); ++cell) {
     if (block.kind_of[cell] < 0 || block.part_of[cell] >= 0) continue;
-    const std::size_t size = flood(block, cell, static_cast<int>(parts.size()));
+    const std::size_t size = finder.flood(cell, static_cast<int>(parts.size()));
     parts.push_back(empty_part(kinds[static_cast<std::size_t>(block.kind_of[cell])], grid.spacing, size));
   }
   for (std::size_t cell = 0; cell < grid.size(); ++cell) {

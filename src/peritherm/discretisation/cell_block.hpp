@@ -56,8 +56,17 @@ NearLayers all_layers(const CellBlock& block);
 /// Kind at a place, by the last layer that contains it.
 KindIndex kind_at(const NearLayers& layers, const Point& x, double slack);
 
-/// Height of the surface of a shape above the corners of a cell, negative inside; snapped to 0 near the surface [m].
-double snapped_height(const Shape& shape, const Point& x, double spacing);
+/// Heights above the surfaces of a shape, those of a billionth of the spacing taken for 0 [m].
+void append_snapped_heights(const Shape& shape, const Point& x, double spacing, std::vector<double>& heights);
+double snapped(double height, double spacing);
+
+/// Lowest and highest heights at the corners of a cell, per surface of a shape [m].
+struct CornerHeights {
+  std::vector<double> lowest, highest;
+  bool outside() const;  ///< above one surface
+  bool inside() const;   ///< below all
+};
+CornerHeights heights_at_corners(const Shape& shape, const Grid& grid, const GridIndex& cell);
 
 /// Fills kind_of, is_cut and cut_cells. Appends an issue for every kind that is lost between the corners of a cell.
 void assign_kinds(CellBlock& block, const std::vector<PartKind>& kinds, std::vector<Issue>& issues);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "peritherm/discretisation/cell_block.hpp"
+#include "peritherm/discretisation/cut_cells.hpp"
 #include "peritherm/discretisation/surface_pieces.hpp"
 
 namespace peritherm {
@@ -25,6 +26,7 @@ class BodyDivider {
     std::vector<SurfacePiece> pieces;
     for (CellBlock& block : blocks_) append_surface(block, pieces);
     throw_issues();
+    if (is_cut()) close(pieces);
     body_.surface.reserve(pieces.size());
     for (const SurfacePiece& piece : pieces) body_.surface.push_back(to_surface_point(piece));
     number_names();
@@ -70,13 +72,26 @@ class BodyDivider {
 
   void append_surface(const CellBlock& block, std::vector<SurfacePiece>& pieces) {
     std::vector<OpenFace> open;
+    const std::size_t begin = pieces.size();
     append_cell_faces(block, box_, pieces, open);
-    if (!block.cut_cells.empty()) {
-      const Point place = block.grid.position(block.grid.index(block.cut_cells.front()));
+    if (block.cut_cells.empty()) return;
+    share_cut_cells(block, box_, kinds_, body_.parts, pieces, issues_);
+    merge_small_pieces(block.grid, begin, pieces);
+  }
+
+  void close(std::vector<SurfacePiece>& pieces) {
+    for (const std::size_t number : close_surfaces(box_.dimension, body_.parts, pieces)) {
+      const SubDomain& part = body_.parts[number];
       issues_.push_back({{},
-                         "a surface runs through cells, first at " + describe_place(place, box_.dimension),
-                         "Use boxes along the faces of cells"});
+                         "a piece of '" + part.name + "' with " + std::to_string(part.size()) + " points at " +
+                             describe_place(part.positions[0], box_.dimension) + " is too small for its surface",
+                         "Use a smaller spacing, or shapes that leave no such piece"});
     }
+    throw_issues();
+  }
+
+  bool is_cut() const {
+    return std::any_of(blocks_.begin(), blocks_.end(), [](const CellBlock& block) { return !block.cut_cells.empty(); });
   }
 
   void throw_issues() {

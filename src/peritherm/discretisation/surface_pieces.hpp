@@ -14,6 +14,7 @@ struct SurfacePiece {
   int second = -1;       ///< part; −1: the outside
   int face = -1;         ///< of the box, as Face
   std::size_t cell = 0;  ///< where it lies, on its grid
+  bool movable = false;  ///< not along cells, so that its place is not exact
 };
 
 /// A face of a cell with a part on this side and another grid, or the border of the grid, on the other.
@@ -31,6 +32,16 @@ void append_cell_faces(const CellBlock& block, const Grid& box, std::vector<Surf
 
 /// The face of the box that a border of a grid lies on, as Face; −1: none.
 int box_face(const Grid& box, const Grid& grid, int axis, bool upper);
+
+/// Merges pieces smaller than about a face of a cell with neighbours between the same parts, preferably of like
+/// direction: surface points much nearer to each other than points make their rows in a system nearly dependent.
+/// Looks at the pieces from number `begin` on, all on this grid. Areas A n are kept.
+void merge_small_pieces(const Grid& grid, std::size_t begin, std::vector<SurfacePiece>& pieces);
+
+/// Moves pieces by as little as can be, least squares, so that Σ A n = 0 and Σ A n xᵀ = (Σ V) 1 around every part to
+/// rounding: those that are movable, or all if that does not do. Returns the numbers of parts too small for it.
+std::vector<std::size_t> close_surfaces(int dimension, const std::vector<SubDomain>& parts,
+                                        std::vector<SurfacePiece>& pieces);
 
 SurfacePoint to_surface_point(const SurfacePiece& piece);
 

@@ -86,6 +86,10 @@ void append_crossings(const Shape& shape, const Point& a, const Point& b, std::v
 /// Height above the surface, negative inside; its size is at most the distance, and is the distance but near edges [m].
 double height_above(const Shape& shape, const Point& point);
 
+/// Appends the heights above each of the surfaces that bound the shape, which is where none of them is positive: sides
+/// of a box, mantle and ends of a cylinder; others have one [m].
+void append_heights(const Shape& shape, const Point& point, std::vector<double>& heights);
+
 /// Does the surface come as near to the point as `distance` [m]? Errs towards yes.
 bool surface_within(const Shape& shape, const Point& point, double distance);
 
