@@ -24,11 +24,59 @@ std::string estimate_text(double number) {
   return grouped(static_cast<std::size_t>(std::llround(number / unit) * std::llround(unit)));
 }
 
+std::string index_text(int index) {
+  if (index == 0) return "an ordinary differential equation";
+  return fmt::format("a differential-algebraic system of index {}", index);
+}
+
+/// The first lines of a plan of two fields.
+std::string two_field_plan_text(const Plan& plan) {
+  const TwoFieldPlan& fields = *plan.two_field;
+  std::string text = fmt::format("{}-D, {} in {}, {}, horizon {} = {:.4g} spacings\n", plan.dimension,
+                                 counted(plan.points, "point", "points"), counted(fields.parts, "part", "parts"),
+                                 counted(fields.interfaces, "interface", "interfaces"), quantity(plan.horizon, "m"),
+                                 plan.horizon / plan.spacing);
+  text += fmt::format("two fields: {}, {}\n", index_text(fields.index),
+                      counted(fields.multipliers, "multiplier", "multipliers"));
+  text +=
+      fmt::format("{}, step {}; about {} of memory\n", plan.integrator, step_text(plan), bytes_text(plan.memory_bytes));
+  return text;
+}
+
+std::string two_field_check_text(const Plan& plan) {
+  const TwoFieldPlan& fields = *plan.two_field;
+  std::string text;
+  text += row("dimension", std::to_string(plan.dimension));
+  text += row("points", grouped(plan.points));
+  text += row("spacing", quantity(plan.spacing, "m"));
+  text += row("horizon", fmt::format("{} = {:.4g} spacings", quantity(plan.horizon, "m"), plan.horizon / plan.spacing));
+  text += row("parts", grouped(fields.parts));
+  text += row("interfaces", grouped(fields.interfaces));
+  text += row("model", "two_field: " + index_text(fields.index));
+  text += row("multipliers", grouped(fields.multipliers) + " (heat fluxes at contacts and boundaries)");
+  text += row("relaxing fluxes", grouped(fields.flux_unknowns) + " components");
+  text += row("integrator", plan.integrator);
+  text += row("step", step_text(plan));
+  text += row("memory", "about " + bytes_text(plan.memory_bytes));
+  return text;
+}
+
+/// Constraints, and temperatures beyond those that were given, which nonlocal waves may reach.
+std::string two_field_summary_text(const TwoFieldSummary& summary) {
+  std::string text = fmt::format("{}, constraints hold to {:.2g} K\n",
+                                 counted(static_cast<std::size_t>(summary.factorisations), "step size", "step sizes"),
+                                 summary.largest_residual);
+  text += fmt::format("temperatures from {:.6g} to {:.6g} (start and surroundings: {:.6g} to {:.6g})\n", summary.lowest,
+                      summary.highest, summary.lowest_given, summary.highest_given);
+  return text;
+}
+
 std::string because(const std::string& reason) { return reason.empty() ? "" : " (" + reason + ")"; }
 
 }  // namespace
 
 std::string plan_text(const Plan& plan) {
+  if (plan.two_field) return two_field_plan_text(plan);
   const std::string cut = plan.cut_bonds > 0 ? " (" + grouped(plan.cut_bonds) + " of them cut by the end)" : "";
   std::string text = fmt::format("{}-D, {}, {}{}, horizon {} = {:.4g} spacings\n", plan.dimension,
                                  counted(plan.points, "point", "points"), counted(plan.bonds, "bond", "bonds"), cut,
@@ -42,6 +90,7 @@ std::string plan_text(const Plan& plan) {
 }
 
 std::string check_text(const Plan& plan) {
+  if (plan.two_field) return two_field_check_text(plan);
   std::string text;
   text += row("dimension", std::to_string(plan.dimension));
   text += row("points", grouped(plan.points));
@@ -69,6 +118,7 @@ std::string summary_text(const RunSummary& summary, const std::filesystem::path&
       estimate_text(summary.wall > 0.0 ? evaluations / summary.wall : 0.0));
   text += fmt::format("energy residual {:.2g} of the heat exchanged, peak memory {}\n",
                       summary.energy_relative_residual, bytes_text(summary.peak_memory_bytes));
+  if (summary.two_field) text += two_field_summary_text(*summary.two_field);
   text += fmt::format("written to {}:\n", path_text(folder));
   for (const std::string& line : summarised_files(summary.files)) text += "  " + line + '\n';
   return text;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/differences.hpp"
 #include "support/order_of_convergence.hpp"
 #include "support/run_problem.hpp"
@@ -89,6 +91,51 @@ TEST(TemporalOrder, runge_kutta_legendre_is_of_second_order_in_its_mean_step) {
   }
   // Steps differ along the way, so the mean is a coarser measure than a fixed step.
   EXPECT_NEAR(order_of_convergence(steps, errors), 2.0, 0.2);
+}
+
+GeneralisedSingleStep single_steps(double rho, double rho_rate, double step) {
+  GeneralisedSingleStep options;
+  options.rho_infinity = rho;
+  options.rho_infinity_rate = rho_rate;
+  options.step = step;
+  return options;
+}
+
+TEST(TemporalOrder, every_member_of_the_single_step_family_is_of_second_order) {
+  const double end = 0.2;
+  const std::vector<double> reference = solve(changing_plate(), RungeKutta4{end / 800, 0.9}, end);
+  const std::pair<double, double> members[] = {{1.0, 1.0}, {1.0, 0.5}, {1.0, 0.0}, {0.5, 0.5}, {0.5, 0.0}, {0.0, 0.0}};
+  for (const auto& [rho, rho_rate] : members) {
+    std::vector<double> steps, errors;
+    for (const int count : {80, 160, 320}) {
+      steps.push_back(end / count);
+      const std::vector<double> found = solve(changing_plate(), single_steps(rho, rho_rate, end / count), end);
+      errors.push_back(largest_difference(found, reference));
+    }
+    const double order = order_of_convergence(steps, errors);
+    EXPECT_GT(order, 1.9) << rho << ", " << rho_rate;
+    EXPECT_LT(order, 2.1) << rho << ", " << rho_rate;
+  }
+}
+
+TEST(TemporalOrder, single_steps_with_error_control_shrink_errors_with_the_tolerance) {
+  const double end = 0.2;
+  const std::vector<double> reference = solve(changing_plate(), RungeKutta4{end / 800, 0.9}, end);
+  for (const SingleStepMethod method : {SingleStepMethod::midpoint, SingleStepMethod::bdf2}) {
+    for (const double tolerance : {1e-4, 1e-6}) {
+      Problem problem = changing_plate();
+      GeneralisedSingleStep options;
+      options.method = method;
+      options.relative_tolerance = tolerance;
+      problem.time.integrator = options;
+      March run(std::move(problem));
+      run.advance_to(end);
+      const auto [lowest, highest] = std::minmax_element(reference.begin(), reference.end());
+      // Errors per step add up at most.
+      const double most = tolerance * static_cast<double>(run.count().accepted) * (*highest - *lowest);
+      EXPECT_LT(largest_difference(run.temperatures(), reference), most) << name_of(method) << ", " << tolerance;
+    }
+  }
 }
 
 TEST(TemporalOrder, growing_cracks_leave_fixed_steps_at_second_order) {

@@ -6,13 +6,18 @@
 
 namespace peritherm {
 
-MaterialIndex Body::material_at(const Point& x) const {
+int Body::region_at(const Point& x) const {
   const double slack = 1e-9 * grid.spacing;
-  for (auto region = regions.rbegin(); region != regions.rend(); ++region) {
-    if (contains(region->shape, x, slack)) return region->material;
-  }
-  return background;
+  int region = static_cast<int>(regions.size()) - 1;
+  while (region >= 0 && !contains(regions[static_cast<std::size_t>(region)].shape, x, slack)) --region;
+  return region;
 }
+
+MaterialIndex Body::material_of_region(int region) const {
+  return region < 0 ? background : regions[static_cast<std::size_t>(region)].material;
+}
+
+MaterialIndex Body::material_at(const Point& x) const { return material_of_region(region_at(x)); }
 
 void Body::assign_materials() {
   material_of.assign(grid.size(), background);

@@ -33,6 +33,12 @@ struct MaterialRegion {
   MaterialIndex material;
 };
 
+/// Two materials whose common surface resists heat.
+struct MaterialContact {
+  MaterialIndex first, second;  ///< in any order; never the same
+  double resistance;            ///< R, temperature jump over flux across the surface [m² K/W]
+};
+
 struct PointBlock;
 
 /// A body on a grid: which point is of which material, what cuts its bonds, what stands around it.
@@ -43,12 +49,16 @@ struct Body {
   std::vector<MaterialRegion> regions;     ///< later ones overwrite
   std::vector<MaterialIndex> material_of;  ///< per point, x fastest; no_material where cut away
   InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
+  std::vector<MaterialContact> contacts;  ///< of a pair the first counts; acts with length_weighted_harmonic only
   BoundaryVolumes boundary_volumes = BoundaryVolumes::partial;
   std::vector<CrackSurface> cracks;
   BrokenBonds broken;  ///< by elongation
   std::array<FaceWalls, 6> walls;
   std::vector<WallKind> wall_kinds;  ///< per boundary index
 
+  /// Number of the region that decides the material of the box at a place inside it, −1 for the background.
+  int region_at(const Point& x) const;
+  MaterialIndex material_of_region(int region) const;
   /// Material of the box at a place inside it.
   MaterialIndex material_at(const Point& x) const;
   /// Fills material_of from background and regions.

@@ -1,6 +1,7 @@
 #include "peritherm/discretisation/bond_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "peritherm/geometry/vector.hpp"
@@ -13,6 +14,13 @@ BondTracer::BondTracer(const Body& body) : body_(body) {
     upper_[axis] = body.grid.origin[axis] + body.grid.length(axis);
   }
   uniform_ = body.regions.empty();
+  const std::size_t materials = body.materials.size();
+  if (!body.contacts.empty()) contact_resistances_.resize(materials * materials);
+  // Of a pair the first counts.
+  for (auto contact = body.contacts.rbegin(); contact != body.contacts.rend(); ++contact) {
+    contact_resistances_[contact->first * materials + contact->second] = contact->resistance;
+    contact_resistances_[contact->second * materials + contact->first] = contact->resistance;
+  }
   for (const CrackSurface& crack : body.cracks) {
     const auto box = crack.bounds();
     all_.cracks.push_back({&crack, crack.parts_in(box[0], box[1])});
@@ -71,12 +79,18 @@ Point BondTracer::off_cracks(const NearbyCracks& nearby, const Point& x) const {
 }
 
 void BondTracer::cut_at_walls(const Point& a, const Point& b, std::vector<Piece>& pieces) const {
+  const Point bond = difference(b, a);
+  if (is_inside(a) && is_inside(b)) {
+    pieces.assign(1, {a, b, 1.0, bond});
+    return;
+  }
   thread_local std::vector<double> shares;
   shares.assign({0.0, 1.0});
   for (int axis = 0; axis < body_.grid.dimension; ++axis) {
-    const double run = b[axis] - a[axis];
     for (const double wall : {lower_[axis], upper_[axis]}) {
-      if ((a[axis] < wall) != (b[axis] < wall)) shares.push_back(std::clamp((wall - a[axis]) / run, 0.0, 1.0));
+      if ((a[axis] < wall) != (b[axis] < wall)) {
+        shares.push_back(std::clamp((wall - a[axis]) / bond[axis], 0.0, 1.0));
+      }
     }
   }
   std::sort(shares.begin(), shares.end());
@@ -84,15 +98,18 @@ void BondTracer::cut_at_walls(const Point& a, const Point& b, std::vector<Piece>
   for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
     if (shares[k + 1] <= shares[k]) continue;
     const Point middle = between(a, b, 0.5 * (shares[k] + shares[k + 1]));
-    pieces.push_back({fold(between(a, b, shares[k]), middle), fold(between(a, b, shares[k + 1]), middle),
-                      shares[k + 1] - shares[k]});
+    Piece piece{fold(between(a, b, shares[k]), middle), fold(between(a, b, shares[k + 1]), middle),
+                shares[k + 1] - shares[k], bond};
+    for (int axis = 0; axis < body_.grid.dimension; ++axis) {
+      if (middle[axis] < lower_[axis] || middle[axis] > upper_[axis]) piece.bond[axis] = -bond[axis];
+    }
+    pieces.push_back(piece);
   }
 }
 
-double BondTracer::conductivity_along(const std::vector<Piece>& pieces, MaterialIndex a, MaterialIndex b) const {
+void BondTracer::cut_at_surfaces(const std::vector<Piece>& pieces, std::vector<Stretch>& stretches) const {
   thread_local std::vector<double> shares;
-  double resistance = 0.0;
-  double first = 0.0, last = 0.0;
+  stretches.clear();
   for (const Piece& piece : pieces) {
     shares.assign({0.0, 1.0});
     for (const MaterialRegion& region : body_.regions) {
@@ -102,17 +119,59 @@ double BondTracer::conductivity_along(const std::vector<Piece>& pieces, Material
     for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
       const double length = shares[k + 1] - shares[k];
       if (length < 1e-9) continue;
-      const MaterialIndex material =
-          body_.material_at(between(piece.begin, piece.end, 0.5 * (shares[k] + shares[k + 1])));
-      if (material == no_material) return 0.0;
-      last = body_.materials[material].conductivity;
-      if (first == 0.0) first = last;
-      resistance += piece.share * length / last;
+      const Point middle = between(piece.begin, piece.end, 0.5 * (shares[k] + shares[k + 1]));
+      stretches.push_back({between(piece.begin, piece.end, shares[k]), between(piece.begin, piece.end, shares[k + 1]),
+                           piece.share * length, body_.region_at(middle), piece.bond});
     }
   }
-  if (body_.interface == InterfaceRule::length_weighted_harmonic) return 1.0 / resistance;
+}
+
+double BondTracer::conductivity_along(const std::vector<Stretch>& stretches, MaterialIndex a, MaterialIndex b) const {
+  double resistance = 0.0;
+  double first = 0.0, last = 0.0;
+  for (const Stretch& stretch : stretches) {
+    const MaterialIndex material = body_.material_of_region(stretch.region);
+    if (material == no_material) return 0.0;
+    last = body_.materials[material].conductivity;
+    if (first == 0.0) first = last;
+    resistance += stretch.share / last;
+  }
+  if (body_.interface == InterfaceRule::length_weighted_harmonic) {
+    if (!contact_resistances_.empty()) resistance += contact_resistance(stretches);
+    return 1.0 / resistance;
+  }
   if (body_.interface == InterfaceRule::sided_harmonic) return bond_conductivity(body_.interface, first, last);
   return bond_conductivity(body_.interface, body_.materials[a].conductivity, body_.materials[b].conductivity);
+}
+
+/// Σ R / (|ξ| cosθ) over the surfaces that a bond crosses [m K/W], those included that its ends stand on: a point on a
+/// surface belongs to one side of it.
+double BondTracer::contact_resistance(const std::vector<Stretch>& stretches) const {
+  const Stretch& first = stretches.front();
+  const Stretch& last = stretches.back();
+  Stretch end = first;
+  end.region = body_.region_at(first.begin);
+  double sum = contact_resistance(end, first, first.begin);
+  for (std::size_t k = 1; k < stretches.size(); ++k) {
+    sum += contact_resistance(stretches[k - 1], stretches[k], stretches[k].begin);
+  }
+  end.bond = last.bond;
+  end.region = body_.region_at(last.end);
+  return sum + contact_resistance(last, end, last.end);
+}
+
+double BondTracer::contact_resistance(const Stretch& before, const Stretch& after, const Point& place) const {
+  const MaterialIndex from = body_.material_of_region(before.region);
+  const MaterialIndex to = body_.material_of_region(after.region);
+  if (from == to || from == no_material || to == no_material) return 0.0;
+  const double resistance = contact_resistances_[from * body_.materials.size() + to];
+  if (resistance == 0.0) return 0.0;
+  // The later region overwrites the other one, so the surface between the two is its own.
+  const auto region = static_cast<std::size_t>(std::max(before.region, after.region));
+  const Point normal = surface_normal(body_.regions[region].shape, place, 1e-6 * body_.grid.spacing);
+  // A bond that meets surface and mirror in one place has two directions there, and its mirror image has the same two.
+  // One that only grazes the surface gets an infinite resistance.
+  return resistance / std::max(std::abs(dot(normal, before.bond)), std::abs(dot(normal, after.bond)));
 }
 
 void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
@@ -138,23 +197,16 @@ void BondTracer::trace_cracks(const NearbyCracks& nearby, Point a, MaterialIndex
   }
   path.conductivity = body_.materials[material_a].conductivity;
   if (uniform_ && nearby.empty()) return;
-  if (!nearby.empty()) {
-    a = off_cracks(nearby, a);
-    b = off_cracks(nearby, b);
+  thread_local std::vector<Piece> pieces;
+  if (!uniform_) {
+    thread_local std::vector<Stretch> stretches;
+    cut_at_walls(a, b, pieces);
+    cut_at_surfaces(pieces, stretches);
+    path.conductivity = conductivity_along(stretches, material_a, material_b);
   }
-  const bool within = is_inside(a) && is_inside(b);
-  if (within && uniform_) {
-    append_crossings_of(nearby, a, b, path);
-  } else {
-    thread_local std::vector<Piece> pieces;
-    if (within) {
-      pieces.assign(1, {a, b, 1.0});
-    } else {
-      cut_at_walls(a, b, pieces);
-    }
-    if (!uniform_) path.conductivity = conductivity_along(pieces, material_a, material_b);
-    for (const Piece& piece : pieces) append_crossings_of(nearby, piece.begin, piece.end, path);
-  }
+  if (nearby.empty()) return;
+  cut_at_walls(off_cracks(nearby, a), off_cracks(nearby, b), pieces);
+  for (const Piece& piece : pieces) append_crossings_of(nearby, piece.begin, piece.end, path);
 }
 
 double standing_share(const BondPath& path) {

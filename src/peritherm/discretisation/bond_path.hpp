@@ -62,9 +62,18 @@ class BondTracer {
   NearbyCracks cracks_in(const Point& lower, const Point& upper) const;
 
  private:
+  /// A part of a bond between two passages of mirrored faces, brought back into the body.
   struct Piece {
     Point begin, end;
     double share;  ///< of the bond's length
+    Point bond;    ///< the whole bond, turned like the piece
+  };
+  /// A part of a piece inside one region.
+  struct Stretch {
+    Point begin, end;
+    double share;  ///< of the bond's length
+    int region;    ///< as from Body::region_at
+    Point bond;    ///< as for the piece
   };
   void trace_cracks(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
                     BondPath& path) const;
@@ -73,11 +82,15 @@ class BondTracer {
   bool is_inside(const Point& x) const;
   static void append_crossings_of(const NearbyCracks& nearby, const Point& a, const Point& b, BondPath& path);
   void cut_at_walls(const Point& a, const Point& b, std::vector<Piece>& pieces) const;
-  double conductivity_along(const std::vector<Piece>& pieces, MaterialIndex a, MaterialIndex b) const;
+  void cut_at_surfaces(const std::vector<Piece>& pieces, std::vector<Stretch>& stretches) const;
+  double conductivity_along(const std::vector<Stretch>& stretches, MaterialIndex a, MaterialIndex b) const;
+  double contact_resistance(const std::vector<Stretch>& stretches) const;
+  double contact_resistance(const Stretch& before, const Stretch& after, const Point& place) const;
 
   const Body& body_;
-  Point lower_{}, upper_{};  ///< corners of the box
-  bool uniform_;             ///< one material, nothing cut away
+  Point lower_{}, upper_{};                  ///< corners of the box
+  bool uniform_;                             ///< one material, nothing cut away
+  std::vector<double> contact_resistances_;  ///< by two materials [m² K/W]; empty without contacts
   NearbyCracks all_;
 };
 

@@ -124,48 +124,66 @@ void append(const Polygon& polygon, const Walk& walk) {
   }
 }
 
-// height_above(form, x): a number whose size is at most the distance of x from the surface.
+// visit_heights(form, x, visit): numbers whose size is at most the distance of x from one of the surfaces; x is inside
+// where none is positive.
 
-double height_above(const Box& box, const Point& x) {
-  double height = -std::numeric_limits<double>::infinity();
+template <class Visit>
+void visit_heights(const Box& box, const Point& x, const Visit& visit) {
   for (std::size_t axis = 0; axis < box.from.size(); ++axis) {
-    height = std::max({height, box.from[axis] - x[axis], x[axis] - box.to[axis]});
+    visit(box.from[axis] - x[axis]);
+    visit(x[axis] - box.to[axis]);
   }
-  return height;
 }
 
-double height_above(const Ball& ball, const Point& x) {
-  return length(difference(x, to_point(ball.centre))) - ball.radius;
+template <class Visit>
+void visit_heights(const Ball& ball, const Point& x, const Visit& visit) {
+  visit(length(difference(x, to_point(ball.centre))) - ball.radius);
 }
 
-double height_above(const Cylinder& cylinder, const Point& x) {
+template <class Visit>
+void visit_heights(const Cylinder& cylinder, const Point& x, const Visit& visit) {
   const Point from = to_point(cylinder.from);
   const Point axis = difference(to_point(cylinder.to), from);
   const Point arm = difference(x, from);
   const double axis_length = length(axis);
   const double along = dot(arm, axis) / axis_length;
-  const double radius = length(difference(arm, scaled(axis, along / axis_length)));
-  return std::max({radius - cylinder.radius, -along, along - axis_length});
+  visit(length(difference(arm, scaled(axis, along / axis_length))) - cylinder.radius);
+  visit(-along);
+  visit(along - axis_length);
 }
 
-double height_above(const HalfSpace& half_space, const Point& x) {
+template <class Visit>
+void visit_heights(const HalfSpace& half_space, const Point& x, const Visit& visit) {
   const Point normal = to_point(half_space.normal);
-  return dot(normal, x) / length(normal) - half_space.offset;
+  visit(dot(normal, x) / length(normal) - half_space.offset);
 }
 
-double height_above(const Polygon& polygon, const Point& x) {
+template <class Visit>
+void visit_heights(const Polygon& polygon, const Point& x, const Visit& visit) {
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < polygon.points.size(); ++k) {
     const Coordinates& next = polygon.points[(k + 1) % polygon.points.size()];
     distance = std::min(distance, distance_from_edge(polygon.points[k], next, x[0], x[1]));
   }
-  return distance;
+  visit(is_inside(polygon, x, 0.0) ? -distance : distance);
 }
 
 }  // namespace
 
+double height_above(const Shape& shape, const Point& point) {
+  double highest = -std::numeric_limits<double>::infinity();
+  const auto keep_highest = [&](double height) { highest = std::max(highest, height); };
+  std::visit([&](const auto& form) { visit_heights(form, point, keep_highest); }, shape);
+  return highest;
+}
+
+void append_heights(const Shape& shape, const Point& point, std::vector<double>& heights) {
+  const auto append = [&](double height) { heights.push_back(height); };
+  std::visit([&](const auto& form) { visit_heights(form, point, append); }, shape);
+}
+
 bool surface_within(const Shape& shape, const Point& point, double distance) {
-  return std::visit([&](const auto& form) { return std::abs(height_above(form, point)) <= distance; }, shape);
+  return std::abs(height_above(shape, point)) <= distance;
 }
 
 bool contains(const Shape& shape, const Point& point, double slack) {

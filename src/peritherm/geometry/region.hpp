@@ -83,8 +83,19 @@ bool contains(const Shape& shape, const Point& point, double slack);
 /// Appends the shares u in (0, 1) of the way from a to b at which the surface is crossed, in any order.
 void append_crossings(const Shape& shape, const Point& a, const Point& b, std::vector<double>& shares);
 
+/// Height above the surface, negative inside; its size is at most the distance, and is the distance but near edges [m].
+double height_above(const Shape& shape, const Point& point);
+
+/// Appends the heights above each of the surfaces that bound the shape, which is where none of them is positive: sides
+/// of a box, mantle and ends of a cylinder; others have one [m].
+void append_heights(const Shape& shape, const Point& point, std::vector<double>& heights);
+
 /// Does the surface come as near to the point as `distance` [m]? Errs towards yes.
 bool surface_within(const Shape& shape, const Point& point, double distance);
+
+/// Outward unit normal at a place on the surface; where smooth pieces of it meet within `slack` [m], the direction of
+/// the sum of theirs. 0 where there is none, as in the centre of a ball without size.
+Point surface_normal(const Shape& shape, const Point& place, double slack);
 
 /// What is wrong with the shape in a body of this dimension; empty if nothing is.
 std::string find_fault(const Shape& shape, int dimension);

@@ -7,6 +7,7 @@
 namespace peritherm {
 
 inline Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Point added(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
 inline Point scaled(const Point& a, double factor) { return {factor * a[0], factor * a[1], factor * a[2]}; }

@@ -57,6 +57,17 @@ double evaluations_of(const ImplicitRungeKutta& options, double rate, std::span<
   return 20.0 + 65.0 * std::sqrt(rate * times.back()) * std::pow(1e-5 / options.relative_tolerance, 0.2);
 }
 
+/// Steps follow the course of temperatures; each takes about the root of its stiffness.
+double evaluations_of(const GeneralisedSingleStep& options, double rate, std::span<const double> times, std::size_t) {
+  const double steps = options.step ? std::ceil(times.back() / *options.step)
+                                    : 10.0 + 40.0 * std::pow(1e-5 / options.relative_tolerance, 1.0 / 3.0);
+  return 20.0 + steps * (2.0 + 3.0 * std::sqrt(rate * times.back() / steps));
+}
+
+double evaluations_of(const DifferentialAlgebraic& options, double rate, std::span<const double> times, std::size_t n) {
+  return evaluations_of(BackwardDifferences{{options.relative_tolerance}}, rate, times, n);
+}
+
 template <class Options>
 requires requires(Options options) { options.safety; }
 double evaluations_of(const Options& options, double rate, std::span<const double> times, std::size_t) {
@@ -98,7 +109,8 @@ void refuse_rounding(std::string_view method, ThermalSystem& system) {
               "Choose \"rkl2\", or double precision");
 }
 
-void refuse_fine_tolerance(const ImplicitOptions& options, ThermalSystem& system) {
+template <class Options>
+void refuse_fine_tolerance(const Options& options, ThermalSystem& system) {
   constexpr double finest = 1e-5;  // below it, steps would follow the rounding of single precision
   if (system.rate_rounding() <= propagator_rounding || options.relative_tolerance >= finest) return;
   throw Error("time.integrator.relative_tolerance: single precision resolves no errors below 1e-5",
@@ -123,7 +135,8 @@ void refuse_one_sided(const TimeStepping& options, const ThermalSystem& system) 
 
 bool needs_symmetry(const TimeStepping& options) {
   return std::holds_alternative<Chebyshev>(options) || std::holds_alternative<SteadyState>(options) ||
-         std::holds_alternative<BackwardDifferences>(options) || std::holds_alternative<ImplicitRungeKutta>(options);
+         std::holds_alternative<BackwardDifferences>(options) || std::holds_alternative<ImplicitRungeKutta>(options) ||
+         std::holds_alternative<GeneralisedSingleStep>(options);
 }
 
 void refuse_cuts(std::string_view method, ThermalSystem& system, double from, double to) {
@@ -151,7 +164,7 @@ ChosenStepping choose_stepping(const TimeStepping& options, ThermalSystem& syste
   if (std::holds_alternative<SteadyState>(options)) refuse_rounding(SteadyState::name, system);
   std::visit(
       [&](const auto& chosen) {
-        if constexpr (std::is_base_of_v<ImplicitOptions, std::decay_t<decltype(chosen)>>) {
+        if constexpr (requires { chosen.preconditioner; }) {
           refuse_fine_tolerance(chosen, system);
           if (!times.empty()) refuse_cuts(chosen.name, system, from, times.back());
         }

@@ -213,9 +213,93 @@ struct ImplicitRungeKutta : ImplicitOptions {
   bool operator==(const ImplicitRungeKutta&) const = default;
 };
 
+/// Members of the GS4-1 family [masuri2011] by name.
+enum class SingleStepMethod { midpoint, crank_nicolson, generalised_alpha, bdf2, custom };
+
+template <>
+struct EnumNames<SingleStepMethod> {
+  static constexpr std::array<std::pair<SingleStepMethod, std::string_view>, 5> values{
+      {{SingleStepMethod::midpoint, "midpoint"},
+       {SingleStepMethod::crank_nicolson, "crank_nicolson"},
+       {SingleStepMethod::generalised_alpha, "generalised_alpha"},
+       {SingleStepMethod::bdf2, "bdf2"},
+       {SingleStepMethod::custom, "custom"}}};
+};
+
+/// How a march begins where start values do not fit the loads.
+enum class SingleStepStart { automatic, consistent, backward_euler };
+
+template <>
+struct EnumNames<SingleStepStart> {
+  static constexpr std::array<std::pair<SingleStepStart, std::string_view>, 3> values{
+      {{SingleStepStart::automatic, "auto"},
+       {SingleStepStart::consistent, "consistent"},
+       {SingleStepStart::backward_euler, "backward_euler"}}};
+};
+
+/// The GS4-1 family [masuri2011]: implicit single steps of second order with the dissipation that the user chooses.
+/// Bodies whose cracks grow are refused.
+struct GeneralisedSingleStep {
+  std::optional<SingleStepMethod> method;   ///< none: as the two below say, else midpoint
+  std::optional<double> rho_infinity;       ///< what an infinitely fast decay leaves after a step [1]
+  std::optional<double> rho_infinity_rate;  ///< the same of the rate, at most rho_infinity [1]; none: rho_infinity
+  std::optional<double> step;               ///< [s]; none: steps follow the tolerance
+  double relative_tolerance = 1e-5;         ///< error per step (rms) over the span of temperatures
+  SingleStepStart start = SingleStepStart::automatic;
+  ImplicitPreconditioner preconditioner = ImplicitPreconditioner::none;
+  static constexpr double stability = 2.0;  ///< of forward Euler, for comparison
+  static constexpr int states = 14;
+  static constexpr std::string_view name = "gs4";
+  static constexpr std::string_view help = "implicit single steps of second order, dissipation as chosen";
+  static constexpr auto options() {
+    using Own = GeneralisedSingleStep;
+    return std::tuple{
+        optional<Own, std::optional<SingleStepMethod>>(
+            "method", &Own::method,
+            "a member by name; midpoint if neither this nor rho_infinity is given; generalised_alpha needs "
+            "rho_infinity, custom both numbers"),
+        optional("rho_infinity", &Own::rho_infinity, "", zero_to_one, "what a step leaves of infinitely fast decays"),
+        optional("rho_infinity_rate", &Own::rho_infinity_rate, "", zero_to_one,
+                 "the same for the rate; at most rho_infinity, its default"),
+        optional("step", &Own::step, "s", positive, "time step; default: steps follow the tolerance"),
+        optional<Own, double>("relative_tolerance", &Own::relative_tolerance, "", implicit_tolerance,
+                              "error per step (rms), relative to the span of temperatures; without a step"),
+        optional<Own, SingleStepStart>("start", &Own::start,
+                                       "auto: two half steps of backward Euler where start values jump; consistent: "
+                                       "never; backward_euler: always"),
+        optional<Own, ImplicitPreconditioner>(
+            "preconditioner", &Own::preconditioner,
+            "of the conjugate gradients of one field: none, or jacobi for contrasts of materials")};
+  }
+  bool operator==(const GeneralisedSingleStep&) const = default;
+};
+
+/// Backward differentiation formulas for two fields with constraints, by IDA [hindmarsh2005]; for model = "two_field".
+struct DifferentialAlgebraic {
+  double relative_tolerance = 1e-5;  ///< error per step (rms) over the span of temperatures
+  double absolute_tolerance = 0.0;   ///< allowed on top [K]
+  int order = 5;
+  static constexpr double stability = 2.0;  ///< of forward Euler, for comparison
+  static constexpr int states = 20;
+  static constexpr std::string_view name = "ida";
+  static constexpr std::string_view help = "implicit multistep of variable order for two fields, by SUNDIALS";
+  static constexpr auto options() {
+    using Own = DifferentialAlgebraic;
+    return std::tuple{
+        optional("relative_tolerance", &Own::relative_tolerance, "", implicit_tolerance,
+                 "error per step (rms), relative to the span of temperatures"),
+        optional("absolute_tolerance", &Own::absolute_tolerance, "K", not_negative,
+                 "error per step (rms) allowed on top"),
+        optional("order", &Own::order, "", Check{[](double v) { return v >= 1 && v <= 5; }, "must lie between 1 and 5"},
+                 "highest order")};
+  }
+  bool operator==(const DifferentialAlgebraic&) const = default;
+};
+
 /// The list.
-using TimeStepping = std::variant<AutomaticStepping, Chebyshev, RungeKuttaLegendre, RungeKutta4, ForwardEuler,
-                                  SteadyState, BackwardDifferences, ImplicitRungeKutta>;
+using TimeStepping =
+    std::variant<AutomaticStepping, Chebyshev, RungeKuttaLegendre, RungeKutta4, ForwardEuler, SteadyState,
+                 BackwardDifferences, ImplicitRungeKutta, GeneralisedSingleStep, DifferentialAlgebraic>;
 
 /// A method and why it was taken.
 struct ChosenStepping {
@@ -257,6 +341,9 @@ std::unique_ptr<TimeIntegrator> make_integrator(const AutomaticStepping& options
 std::unique_ptr<TimeIntegrator> make_integrator(const SteadyState& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const BackwardDifferences& options, ThermalSystem& system);
 std::unique_ptr<TimeIntegrator> make_integrator(const ImplicitRungeKutta& options, ThermalSystem& system);
+std::unique_ptr<TimeIntegrator> make_integrator(const GeneralisedSingleStep& options, ThermalSystem& system);
+/// Throws Error: one field has no constraints.
+std::unique_ptr<TimeIntegrator> make_integrator(const DifferentialAlgebraic& options, ThermalSystem& system);
 inline std::unique_ptr<TimeIntegrator> make_integrator(const TimeStepping& options, ThermalSystem& system) {
   return std::visit([&](const auto& chosen) { return make_integrator(chosen, system); }, options);
 }

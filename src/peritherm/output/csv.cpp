@@ -1,5 +1,6 @@
 #include "peritherm/output/csv.hpp"
 
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <system_error>
@@ -9,6 +10,7 @@
 #include "peritherm/base/text.hpp"
 
 namespace peritherm {
+
 std::string exact_text(double value) { return std::isnan(value) ? "nan" : shortest(value); }
 
 std::string csv_entry(const std::string& text) {
@@ -19,6 +21,20 @@ std::string csv_entry(const std::string& text) {
     quoted += letter;
   }
   return quoted + '"';
+}
+
+std::string plain_name(const std::string& name, const std::string& otherwise) {
+  std::string text;
+  for (const char letter : name) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (std::isalnum(code) != 0 || code >= 0x80) {
+      text += static_cast<char>(std::tolower(code));
+    } else if (!text.empty() && text.back() != '_') {
+      text += '_';
+    }
+  }
+  while (!text.empty() && text.back() == '_') text.pop_back();
+  return text.empty() ? otherwise : text;
 }
 
 CsvTable::CsvTable(std::filesystem::path path, const std::vector<std::string>& columns) : path_(std::move(path)) {

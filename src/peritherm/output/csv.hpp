@@ -16,6 +16,9 @@ std::string exact_text(double value);
 /// A text as an entry of a table: quoted if it has commas, quotes or line breaks.
 std::string csv_entry(const std::string& text);
 
+/// For columns and files: "y_max temperature" → "y_max_temperature"; `otherwise` if nothing is left.
+std::string plain_name(const std::string& name, const std::string& otherwise);
+
 /// A table of numbers that grows row by row and holds complete lines only, whatever happens.
 class CsvTable {
  public:

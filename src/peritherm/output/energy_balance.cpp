@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cassert>
-#include <cctype>
 #include <optional>
 
 #include "peritherm/base/file.hpp"
@@ -10,26 +9,11 @@
 namespace peritherm {
 namespace {
 
-/// "y_max temperature" → "y_max_temperature".
-std::string lower_snake(const std::string& name) {
-  std::string text;
-  for (const char letter : name) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (std::isalnum(code) != 0 || code >= 0x80) {
-      text += static_cast<char>(std::tolower(code));
-    } else if (!text.empty() && text.back() != '_') {
-      text += '_';
-    }
-  }
-  while (!text.empty() && text.back() == '_') text.pop_back();
-  return text.empty() ? "account" : text;
-}
-
 /// time, stored_heat, <account>_heat, <account>_rate, …, residual; accounts of the same name are numbered.
 std::vector<std::string> column_names(const std::vector<HeatAccount>& accounts) {
   std::vector<std::string> names{"time", "stored_heat"};
   for (const HeatAccount& account : accounts) {
-    const std::string plain = lower_snake(account.name);
+    const std::string plain = plain_name(account.name, "account");
     std::string name = plain;
     for (int number = 2; std::find(names.begin(), names.end(), name + "_heat") != names.end(); ++number) {
       name = plain + "_" + std::to_string(number);

@@ -32,6 +32,15 @@ Cell find_cell(const Grid& grid, const Point& place) {
 
 }  // namespace
 
+GridIndex nearest_point(const Grid& grid, const Point& place) {
+  GridIndex nearest{};
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const double layer = (place[axis] - grid.origin[axis]) / grid.spacing - grid.first_depth();
+    nearest[axis] = std::clamp(static_cast<int>(std::lround(layer)), 0, grid.count(axis) - 1);
+  }
+  return nearest;
+}
+
 InterpolationWeights interpolation_weights(const Grid& grid, const Point& place,
                                            const std::function<bool(std::size_t number)>& exists) {
   const Cell cell = find_cell(grid, place);

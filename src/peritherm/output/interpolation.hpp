@@ -8,6 +8,9 @@
 
 namespace peritherm {
 
+/// The point of a grid that is nearest to a place.
+GridIndex nearest_point(const Grid& grid, const Point& place);
+
 /// A point of a grid and its share of a value between points.
 struct WeightedPoint {
   std::size_t number = 0;

@@ -19,25 +19,23 @@ namespace {
 struct Profile1D {
   double time = 0.0;
   std::vector<double> temperature;
-  std::vector<double> exact;  ///< empty if there is none
-  std::vector<double> curve;  ///< the exact ones at evenly spaced places, to be drawn
+  std::vector<double> exact;        ///< empty if there is none
+  std::vector<double> curve;        ///< the exact ones at evenly spaced places, to be drawn
+  std::vector<std::size_t> breaks;  ///< numbers of places after which the line crosses a crack or a jump
 };
 
 /// No number where the nearest point was cut away.
 double temperature_between_points(const Snapshot& snapshot, const Point& place) {
   const Grid& grid = snapshot.grid;
-  GridIndex nearest{};
-  for (int axis = 0; axis < grid.dimension; ++axis) {
-    const double layer = (place[axis] - grid.origin[axis]) / grid.spacing - grid.first_depth();
-    nearest[axis] = std::clamp(static_cast<int>(std::lround(layer)), 0, grid.count(axis) - 1);
-  }
-  const double there = snapshot.temperature[grid.number(nearest)];
+  const double there = snapshot.temperature[grid.number(nearest_point(grid, place))];
   return std::isnan(there) ? there : interpolate(grid, snapshot.temperature, place);
 }
 
 std::vector<double> temperatures_at(const Snapshot& snapshot, const std::vector<Point>& places) {
   std::vector<double> values;
-  if (snapshot.grid.dimension == 2) {
+  if (snapshot.temperature_at) {
+    for (const Point& place : places) values.push_back(snapshot.temperature_at(place));
+  } else if (snapshot.grid.dimension == 2) {
     // Cracks of plates part what is on their sides.
     const Section section = make_section(snapshot, PictureOutput{});
     const SectionSampler sample(section, Smoothing::bilinear);
@@ -46,6 +44,35 @@ std::vector<double> temperatures_at(const Snapshot& snapshot, const std::vector<
     for (const Point& place : places) values.push_back(temperature_between_points(snapshot, place));
   }
   return values;
+}
+
+std::vector<std::size_t> breaks_of(const Snapshot& snapshot, const std::vector<Point>& places) {
+  std::vector<std::size_t> breaks;
+  if (snapshot.grid.dimension == 3) return breaks;
+  std::vector<Line> lines;
+  for (const std::vector<Point>& crack : snapshot.cracks) {
+    lines.emplace_back();
+    for (const Point& corner : crack) lines.back().push_back({corner[0], corner[1]});
+  }
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const Place a{places[i][0], places[i][1]}, b{places[i + 1][0], places[i + 1][1]};
+    const bool parted = snapshot.grid.dimension == 1 ? separated_in_bar(lines, std::min(a.x, b.x), std::max(a.x, b.x))
+                                                     : std::any_of(lines.begin(), lines.end(), [&](const Line& line) {
+                                                         return separated(line, a, b, snapshot.grid.spacing);
+                                                       });
+    if (parted) breaks.push_back(i);
+  }
+  return breaks;
+}
+
+/// The curve in pieces, with no value between them.
+Curve broken(Curve curve, const std::vector<std::size_t>& breaks) {
+  for (auto at = breaks.rbegin(); at != breaks.rend(); ++at) {
+    const auto after = static_cast<std::ptrdiff_t>(*at) + 1;
+    curve.x.insert(curve.x.begin() + after, curve.x[*at]);
+    curve.y.insert(curve.y.begin() + after, std::numeric_limits<double>::quiet_NaN());
+  }
+  return curve;
 }
 
 Unit unit_of(const Grid& grid) { return length_unit(std::max({grid.length(0), grid.length(1), grid.length(2)})); }
@@ -174,7 +201,7 @@ class LineObserver final : public Observer {
 
   void observe(const Snapshot& snapshot) override {
     if (!table_) begin(snapshot);
-    Profile1D profile{snapshot.time, temperatures_at(snapshot, places_), {}, {}};
+    Profile1D profile{snapshot.time, temperatures_at(snapshot, places_), {}, {}, breaks_of(snapshot, places_)};
     if (exact_) {
       for (const Point& place : places_) profile.exact.push_back(exact_(place, snapshot.time));
       for (const Point& place : even_places(ends_, curve_places)) profile.curve.push_back(exact_(place, snapshot.time));
@@ -254,7 +281,7 @@ class LineObserver final : public Observer {
       computed.style = CurveStyle::dots;
       computed = thinned(computed, most_markers);
     }
-    chart.curves.push_back(std::move(computed));
+    chart.curves.push_back(options_.exact ? std::move(computed) : broken(std::move(computed), profile.breaks));
   }
 
   static constexpr int curve_places = 301;

@@ -23,6 +23,15 @@ struct HeatAccount {
   double heat_rate = 0.0;  ///< now [W]
 };
 
+/// Where two parts of a two-field body touch, place by place.
+struct InterfaceValues {
+  std::string name;                   ///< "film to substrate"
+  std::vector<Point> positions;       ///< [m]
+  std::vector<double> areas;          ///< [m²]
+  std::vector<double> first, second;  ///< temperatures on both sides
+  std::vector<double> flux;           ///< from the first to the second [W/m²]
+};
+
 /// What an observer may see, valid during the call. Fields have one entry per grid point, x fastest; points that
 /// were cut away hold NaN.
 struct Snapshot {
@@ -35,9 +44,13 @@ struct Snapshot {
   /// Computes the heat flux [W/m²] of the points first, first + 1, …; may be called by several threads at a time.
   std::function<void(std::size_t first, std::span<Point> flux)> heat_flux;
   std::function<std::vector<double>()> damage;  ///< share of cut bonds, 0 to 1; computed when asked for
-  std::vector<std::vector<Point>> cracks;       ///< outlines now: polylines, in 3-D closed polygons
-  double stored_heat = 0.0;                     ///< Σ C T over the free points [J]
+  /// Outlines now: polylines, in 3-D closed polygons; also of interfaces where temperatures jump.
+  std::vector<std::vector<Point>> cracks;
+  double stored_heat = 0.0;  ///< Σ C T over the free points [J]
   std::vector<HeatAccount> accounts;
+  std::vector<InterfaceValues> interfaces;  ///< none in a body of one field
+  /// Where temperatures are more than what lies between points of the grid; else empty.
+  std::function<double(const Point& place)> temperature_at;
 };
 
 class Observer {
@@ -170,14 +183,30 @@ struct EnergyOutput {
   bool operator==(const EnergyOutput&) const = default;
 };
 
+/// contact_NAME.csv of every interface of a two-field body: heat through it, temperatures on both sides, jump; and
+/// contact_NAME_points.csv, place by place.
+struct ContactOutput {
+  bool points = true;  ///< also place by place
+  static constexpr std::string_view name = "contact";
+  static constexpr std::string_view help =
+      "two_field: contact_NAME.csv of every interface: heat through it, temperatures on both sides, jump";
+  static constexpr auto options() {
+    return std::tuple{optional("points", &ContactOutput::points,
+                               "also contact_NAME_points.csv with both temperatures, jump and flux place by place")};
+  }
+  bool operator==(const ContactOutput&) const = default;
+};
+
 /// First part of the names of the files that an output writes; two outputs must not share it.
 std::string file_stem(const VtkOutput& options);
 std::string file_stem(const PictureOutput& options);
 std::string file_stem(const ProbeOutput& options);
 std::string file_stem(const LineOutput& options);
 std::string file_stem(const EnergyOutput& options);
+std::string file_stem(const ContactOutput& options);
 
-using OutputKind = std::variant<VtkOutput, PictureOutput, ProbeOutput, LineOutput, EnergyOutput>;  ///< the list
+using OutputKind =
+    std::variant<VtkOutput, PictureOutput, ProbeOutput, LineOutput, EnergyOutput, ContactOutput>;  ///< the list
 
 /// The ends of the line in a body, given or not.
 struct LineEnds {
@@ -190,6 +219,7 @@ std::unique_ptr<Observer> make_observer(const VtkOutput& options, const std::fil
 std::unique_ptr<Observer> make_observer(const PictureOutput& options, const std::filesystem::path& folder);
 std::unique_ptr<Observer> make_observer(const LineOutput& options, const std::filesystem::path& folder);
 std::unique_ptr<Observer> make_observer(const EnergyOutput& options, const std::filesystem::path& folder);
+std::unique_ptr<Observer> make_observer(const ContactOutput& options, const std::filesystem::path& folder);
 /// All probes share one file and one observer; every row holds all of them.
 std::unique_ptr<Observer> make_probe_observer(const std::vector<ProbeOutput>& probes,
                                               const std::filesystem::path& folder);

@@ -24,7 +24,10 @@ class ProbeObserver final : public Observer {
   void observe(const Snapshot& snapshot) override {
     if (!table_.started()) make_folder(folder_);
     std::vector<double> row{snapshot.time};
-    for (const Point& place : places_) row.push_back(interpolate(snapshot.grid, snapshot.temperature, place));
+    for (const Point& place : places_) {
+      row.push_back(snapshot.temperature_at ? snapshot.temperature_at(place)
+                                            : interpolate(snapshot.grid, snapshot.temperature, place));
+    }
     table_.append(row);
   }
 

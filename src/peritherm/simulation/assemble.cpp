@@ -11,27 +11,10 @@
 #include "peritherm/simulation/backend_choice.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/displacement_series.hpp"
+#include "peritherm/simulation/material_table.hpp"
 
 namespace peritherm {
 namespace {
-
-std::map<std::string, MaterialIndex> add_materials(const Problem& problem, Geometry& geometry) {
-  std::map<std::string, MaterialIndex> numbers{{"void", no_material}};
-  for (const auto& [name, material] : problem.materials) {
-    numbers[name] = static_cast<MaterialIndex>(geometry.body.materials.size());
-    geometry.body.materials.push_back(material);
-    geometry.material_names.push_back(name);
-  }
-  return numbers;
-}
-
-std::string name_of_boundary(const BoundaryOptions& boundary, std::size_t number) {
-  const std::string type =
-      std::visit([](const auto& condition) { return std::string(condition.name); }, boundary.condition);
-  const std::string place =
-      boundary.face ? std::string(name_of(*boundary.face)) : "region " + std::to_string(number + 1);
-  return place + " " + type;
-}
 
 /// In 2-D bonds through a tip stay whole. A tip on a face is moved out of the body, so that those along the face are
 /// cut.
@@ -271,6 +254,14 @@ bool stands_on_open_face(const Problem& problem) {
 
 }  // namespace
 
+std::string name_of_boundary(const BoundaryOptions& boundary, std::size_t number) {
+  const std::string type =
+      std::visit([](const auto& condition) { return std::string(condition.name); }, boundary.condition);
+  const std::string place =
+      boundary.face ? std::string(name_of(*boundary.face)) : "region " + std::to_string(number + 1);
+  return place + " " + type;
+}
+
 bool is_open(const BoundaryOptions& boundary) {
   if (boundary.where) return false;
   const auto* held = std::get_if<HeldTemperature>(&boundary.condition);
@@ -298,10 +289,13 @@ Geometry make_geometry(const Problem& given) {
   body.grid = make_grid(problem);
   body.interface = *problem.nonlocality.interface;
   body.boundary_volumes = *problem.nonlocality.boundary_volumes;
-  const auto numbers = add_materials(problem, geometry);
-  body.background = numbers.at(problem.body.material);
-  for (const BodyRegion& region : problem.body.regions)
-    body.regions.push_back({region.shape, numbers.at(region.material)});
+  const MaterialTable table = make_material_table(problem);
+  body.materials = table.materials;
+  geometry.material_names = table.names;
+  body.contacts = make_material_contacts(problem, table);
+  body.background = table.background;
+  for (std::size_t r = 0; r < table.of_region.size(); ++r)
+    body.regions.push_back({problem.body.regions[r].shape, table.of_region[r]});
   body.assign_materials();
   for (const Crack& crack : problem.cracks)
     body.cracks.emplace_back(reach_out(crack, body.grid), body.grid.dimension, body.grid.spacing);

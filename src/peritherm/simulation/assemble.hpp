@@ -41,6 +41,9 @@ struct Geometry {
   std::vector<std::string> boundary_names;  ///< "y_max temperature"
 };
 
+/// "y_max temperature", or "region 3 flux" of the third boundary.
+std::string name_of_boundary(const BoundaryOptions& boundary, std::size_t number);
+
 /// Nothing stands outside a face that is held as a whole by points inside, or where points inside impose what passes.
 bool is_open(const BoundaryOptions& boundary);
 

@@ -93,8 +93,10 @@ std::vector<Issue> find_faults(const Problem& given, const Locations& locations,
   Checker checker{problem, locations, broken, use, std::nullopt, false, {}};
   check_body(checker);
   check_materials(checker);
+  check_model(checker);
   check_horizon(checker);
   check_regions(checker);
+  check_contacts(checker);
   check_boundaries(checker);
   check_profiles(checker);
   check_cracks(checker);
@@ -103,6 +105,8 @@ std::vector<Issue> find_faults(const Problem& given, const Locations& locations,
   check_outputs(checker);
   check_numerics(checker);
   if (use != CaseUse::answer) check_reduction(checker);
+  if (problem.nonlocality.model == Model::two_field && checker.issues.empty() && broken.empty())
+    check_division(checker);
   return std::move(checker.issues);
 }
 

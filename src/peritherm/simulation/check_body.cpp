@@ -233,7 +233,9 @@ void check_materials(Checker& checker) {
     checker.add("materials", "has " + std::to_string(materials.size()) + " entries", "Choose at most 250 materials");
   }
   const BodyOptions& body = checker.problem.body;
-  if (body.material == "void") {
+  if (body.material == "void" && checker.problem.nonlocality.model == Model::two_field) {
+    // Rings, or parts in empty space.
+  } else if (body.material == "void") {
     checker.add("body.material", "cannot be void", "Name a material, and cut away parts with [[body.region]]");
   } else if (checker.sound("materials") || !materials.empty()) {
     check_material_name(checker, "body.material", body.material);
@@ -263,6 +265,8 @@ void check_horizon(Checker& checker) {
         key, name + " reaches no neighbour",
         options.horizon ? "Choose at least the spacing, " + length_text(grid.spacing) : "Choose at least 1");
   }
+  // Two fields need no fictitious points, and have no partial volumes.
+  if (checker.problem.nonlocality.model == Model::two_field) return;
   const int fewest = *std::min_element(grid.cells.begin(), grid.cells.begin() + grid.dimension);
   // Fictitious points mirror the body once, so they must not reach beyond its far side.
   if (std::ceil(horizon / grid.spacing + 0.5 - 1e-9) > fewest) {

@@ -47,6 +47,8 @@ void check_selection(Checker& checker, const std::string& key, const BoundaryOpt
     return checker.add(key + ".where", "selects no point of " + face_name(*boundary.face),
                        "Move or enlarge it so that it covers a part of the face");
   }
+  // Of a two-field body it selects surface, which is looked at once the body is divided.
+  if (checker.problem.nonlocality.model == Model::two_field) return;
   if (!any_point(grid, selected)) {
     checker.add(key + ".where", "contains no point of the body", "Move or enlarge it, or choose smaller cells");
   }

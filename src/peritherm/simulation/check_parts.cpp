@@ -247,7 +247,7 @@ void check_outputs(Checker& checker) {
 }
 
 void check_numerics(Checker& checker) {
-  check_one_sided(checker);
+  if (checker.problem.nonlocality.model == Model::bond) check_one_sided(checker);
   if (checker.problem.numerics.backend == BackendName::fourier && !fourier_sum_available()) {
     checker.add("numerics.backend", "'fft' needs FFTW, which this build has not",
                 "Install libfftw3-dev and configure with -DPERITHERM_FFTW=ON, or choose \"stencil\"");

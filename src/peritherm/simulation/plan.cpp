@@ -100,14 +100,6 @@ std::string readable(double bytes) {
   return text.str();
 }
 
-void refuse_if_too_large(double bytes, const Grid& grid) {
-  const auto available = static_cast<double>(available_memory());
-  if (available == 0.0 || bytes <= available) return;
-  throw Error("the run needs about " + readable(bytes) + " of memory for " + std::to_string(grid.size()) +
-                  " points, and " + readable(available) + " are available",
-              "Choose fewer cells, or run it on a machine with more memory", Fault::machine);
-}
-
 double evaluations_for(const Problem& problem, const TimeStepping& stepping, double fastest_rate, double spacing,
                        std::size_t state_size) {
   if (const auto* steady = std::get_if<SteadyState>(&stepping)) {
@@ -137,7 +129,11 @@ void estimate_steps(const Problem& problem, const TimeStepping& stepping, const 
   std::visit(
       [&](const auto& chosen) {
         plan.stable_step = chosen.stability / fastest_rate;
-        if constexpr (requires { chosen.step; }) plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
+        if constexpr (requires { chosen.safety; }) {
+          plan.step = chosen.step.value_or(chosen.safety * plan.stable_step);
+        } else if constexpr (requires { chosen.step; }) {
+          plan.step = chosen.step.value_or(0.0);
+        }
       },
       stepping);
 }
@@ -203,12 +199,20 @@ int set_threads(const Problem& problem, const Stencil& stencil) {
 
 }  // namespace
 
+void refuse_if_too_large(double bytes, std::size_t points) {
+  const auto available = static_cast<double>(available_memory());
+  if (available == 0.0 || bytes <= available) return;
+  throw Error("the run needs about " + readable(bytes) + " of memory for " + std::to_string(points) + " points, and " +
+                  readable(available) + " are available",
+              "Choose fewer cells, or run it on a machine with more memory", Fault::machine);
+}
+
 Prepared prepare(const Problem& given) {
   const Problem problem = resolved(given);
   const Grid grid = make_grid(problem);
   const Stencil stencil = make_stencil(stencil_options_of(problem), grid.spacing, grid.dimension);
   // Whatever the backend, and before the choice makes anything as large as the grid.
-  refuse_if_too_large(memory_of_run(problem, stencil), grid);
+  refuse_if_too_large(memory_of_run(problem, stencil), grid.size());
   Prepared prepared{problem, {}, set_threads(problem, stencil), 0.0, 0.0};
   const double evaluations = evaluations_for(problem, problem.time.integrator,
                                              expected_fastest_rate(problem, grid, stencil), grid.spacing, grid.size());
@@ -216,7 +220,7 @@ Prepared prepare(const Problem& given) {
   prepared.problem.numerics.backend = prepared.choice.backend;
   prepared.bytes = memory_estimate(prepared.problem, stencil, prepared.choice.backend, prepared.threads);
   prepared.duration = evaluations * prepared.choice.evaluation_seconds;
-  refuse_if_too_large(prepared.bytes, grid);
+  refuse_if_too_large(prepared.bytes, grid.size());
   return prepared;
 }
 
@@ -251,16 +255,6 @@ Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenS
   estimate_steps(problem, chosen.stepping, assembly, plan);
   plan.duration = plan.evaluations * prepared.choice.evaluation_seconds;
   return plan;
-}
-
-Plan plan(const Problem& problem) {
-  const Prepared prepared = prepare(problem);
-  const Assembly assembly = assemble(prepared.problem);
-  // Refuses a step beyond the stability limit, as the run would.
-  const ChosenStepping chosen =
-      choose_stepping(prepared.problem.time.integrator, *assembly.system, 0.0, march_times(prepared.problem));
-  make_integrator(chosen.stepping, *assembly.system);
-  return make_plan(prepared, assembly, chosen);
 }
 
 }  // namespace peritherm

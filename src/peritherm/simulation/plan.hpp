@@ -15,6 +15,9 @@ struct Prepared {
   double duration = 0.0;  ///< estimate [s]
 };
 
+/// Throws Error (Fault::machine) if so many bytes are not available.
+void refuse_if_too_large(double bytes, std::size_t points);
+
 /// Tells OpenMP the number of threads and chooses the backend. Throws Error (Fault::machine) with the figures if the
 /// run would not fit into the memory that is available; nothing large has been allocated by then.
 Prepared prepare(const Problem& problem);

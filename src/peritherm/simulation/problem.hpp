@@ -8,6 +8,7 @@
 
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/discretisation/stencil.hpp"
+#include "peritherm/discretisation/sub_domains.hpp"
 #include "peritherm/geometry/crack.hpp"
 #include "peritherm/geometry/face.hpp"
 #include "peritherm/geometry/region.hpp"
@@ -15,6 +16,7 @@
 #include "peritherm/operators/conduction.hpp"
 #include "peritherm/output/observer.hpp"
 #include "peritherm/physics/boundary.hpp"
+#include "peritherm/physics/contact.hpp"
 #include "peritherm/physics/interface.hpp"
 #include "peritherm/physics/kernel.hpp"
 #include "peritherm/physics/material.hpp"
@@ -30,9 +32,19 @@ namespace peritherm {
 struct BodyRegion {
   std::string material;  ///< a name in [materials], or "void"
   Shape shape;
+  std::optional<std::string> name = std::nullopt;
+  std::optional<double> spacing = std::nullopt;  ///< of the part's own grid [m]
+  std::optional<double> horizon = std::nullopt;  ///< of the part [m]
+  PartPoints points = PartPoints::grid;
   static constexpr auto options() {
-    return std::tuple{required("material", &BodyRegion::material, "a name in [materials], or \"void\" to cut away"),
-                      required("shape", &BodyRegion::shape, "which part of the body")};
+    return std::tuple{
+        required("material", &BodyRegion::material, "a name in [materials], or \"void\" to cut away"),
+        required("shape", &BodyRegion::shape, "which part of the body"),
+        optional("name", &BodyRegion::name, "what [[contact]] calls it; default: its material"),
+        optional("spacing", &BodyRegion::spacing, "m", positive, "two_field: spacing of points of its own"),
+        optional("horizon", &BodyRegion::horizon, "m", positive,
+                 "two_field: its own radius of interaction; default: as many spacings as the rest of the body"),
+        optional("points", &BodyRegion::points, "two_field: on a grid, or on the rings of a ball in 2-D")};
   }
   bool operator==(const BodyRegion&) const = default;
 };
@@ -60,7 +72,20 @@ struct BodyOptions {
   bool operator==(const BodyOptions&) const = default;
 };
 
+/// What stands for heat conduction.
+enum class Model {
+  bond,      ///< one field: temperatures, exchanged along bonds
+  two_field  ///< temperatures and fluxes in parts that touch; any flux law, any contact [xue2018]
+};
+
+template <>
+struct EnumNames<Model> {
+  static constexpr std::array<std::pair<Model, std::string_view>, 2> values{
+      {{Model::bond, "bond"}, {Model::two_field, "two_field"}}};
+};
+
 struct NonlocalityOptions {
+  Model model = Model::bond;
   std::optional<double> horizon;
   std::optional<double> horizon_ratio;
   Kernel kernel;
@@ -72,6 +97,9 @@ struct NonlocalityOptions {
   std::optional<BoundaryVolumes> boundary_volumes;
   static constexpr auto options() {
     return std::tuple{
+        optional("model", &NonlocalityOptions::model,
+                 "bond: temperatures alone; two_field: temperatures and heat fluxes of parts that touch, for flux laws "
+                 "beyond Fourier's and any contact"),
         optional("horizon", &NonlocalityOptions::horizon, "m", positive, "radius of interaction"),
         optional("horizon_ratio", &NonlocalityOptions::horizon_ratio, "", positive,
                  "radius of interaction over the spacing, instead of horizon"),
@@ -97,9 +125,12 @@ struct NonlocalityOptions {
 
 struct InitialOptions {
   Profile temperature{0.0};
+  std::optional<std::vector<Profile>> heat_flux;  ///< one per axis [W/m²]
   static constexpr auto options() {
     return std::tuple{optional("temperature", &InitialOptions::temperature, "K", any_number,
-                               "temperature at the start, number or expression of x, y, z")};
+                               "temperature at the start, number or expression of x, y, z"),
+                      optional("heat_flux", &InitialOptions::heat_flux, "W/m^2", any_number,
+                               "two_field: flux at the start, one entry per axis, where materials relax; default: 0")};
   }
   bool operator==(const InitialOptions&) const = default;
 };
@@ -126,6 +157,19 @@ struct BoundaryOptions {
                       required("", &BoundaryOptions::condition, "what happens there")};
   }
   bool operator==(const BoundaryOptions&) const = default;
+};
+
+/// What happens where two materials, or regions with names, touch.
+struct ContactOptions {
+  std::vector<std::string> between;
+  ContactLaw law;
+  std::optional<std::string> name = std::nullopt;
+  static constexpr auto options() {
+    return std::tuple{required("between", &ContactOptions::between, "two materials, or names of regions"),
+                      required("", &ContactOptions::law, "what happens there"),
+                      optional("name", &ContactOptions::name, "in tables and file names; default: from the two")};
+  }
+  bool operator==(const ContactOptions&) const = default;
 };
 
 struct NumericsOptions {
@@ -177,6 +221,7 @@ struct Problem {
   InitialOptions initial;
   std::vector<HeatSource> sources;
   std::vector<BoundaryOptions> boundaries;
+  std::vector<ContactOptions> contacts;
   std::vector<Crack> cracks;
   std::optional<DamageOptions> damage;
   std::optional<ReductionOptions> reduction;
@@ -195,6 +240,7 @@ struct Problem {
         optional("initial", &Problem::initial, "the start"),
         optional("source", &Problem::sources, "heat sources"),
         optional("boundary", &Problem::boundaries, "conditions; faces without one are insulated"),
+        optional("contact", &Problem::contacts, "what happens where two materials touch; default: perfect contact"),
         optional("crack", &Problem::cracks, "surfaces that interrupt heat"),
         optional("damage", &Problem::damage, "bonds that break when a given displacement stretches them too far"),
         optional("reduction", &Problem::reduction,

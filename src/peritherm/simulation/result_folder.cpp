@@ -14,8 +14,9 @@ void remove_old_results(const std::filesystem::path& folder) {
                            "estimated_error.csv"}) {
     remove_file(folder / name);
   }
-  const std::regex line("line_.*\\.csv"), field("[0-9]{4,}\\.vti"), picture(".*_[0-9]{4,}\\.png|line_.*\\.png");
-  remove_files(folder, [&line](const std::string& name) { return std::regex_match(name, line); });
+  const std::regex table("(line|contact)_.*\\.csv"), field("[0-9]{4,}\\.vti"),
+      picture(".*_[0-9]{4,}\\.png|line_.*\\.png");
+  remove_files(folder, [&table](const std::string& name) { return std::regex_match(name, table); });
   for (const auto& [part, pattern] : {std::pair{"fields", &field}, std::pair{"pictures", &picture}}) {
     remove_files(folder / part, [names = pattern](const std::string& name) { return std::regex_match(name, *names); });
   }

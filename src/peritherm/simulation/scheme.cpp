@@ -50,6 +50,13 @@ SchemeChoices choices_of(Scheme scheme) {
 
 Problem resolved(Problem problem) {
   NonlocalityOptions& options = problem.nonlocality;
+  for (auto& [name, material] : problem.materials) {
+    if (material.conductivity_tensor) material.conductivity = mean_conductivity(*material.conductivity_tensor);
+  }
+  if (options.model == Model::two_field) {
+    fill(problem.body.points, PointPlacement::centres);
+    return problem;
+  }
   const SchemeChoices choices = choices_of(options.scheme);
   fill(problem.body.points, choices.points);
   fill(options.partial_volumes, choices.partial_volumes);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,25 @@
 #include "peritherm/simulation/problem.hpp"
 
 namespace peritherm {
+
+/// What a plan of two fields tells beside the rest.
+struct TwoFieldPlan {
+  std::size_t parts = 0;
+  std::size_t interfaces = 0;
+  std::size_t multipliers = 0;    ///< rows of contacts and boundaries
+  std::size_t flux_unknowns = 0;  ///< components of fluxes that relax
+  int index = 0;                  ///< of the differential-algebraic system
+  std::string solver;             ///< of linear systems, and why
+};
+
+/// What a run of two fields has to tell beside the rest.
+struct TwoFieldSummary {
+  long factorisations = 0;
+  double largest_residual = 0.0;                   ///< of a constraint after any step [K]
+  double shortest_step = 0.0, longest_step = 0.0;  ///< [s]
+  double lowest = 0.0, highest = 0.0;              ///< temperature after any step
+  double lowest_given = 0.0, highest_given = 0.0;  ///< at the start and around the body
+};
 
 /// Sizes and costs of a run, known before it starts.
 struct Plan {
@@ -28,6 +48,7 @@ struct Plan {
   std::size_t memory_bytes = 0;   ///< estimate for the whole run
   double evaluations = 0.0;       ///< estimate
   double duration = 0.0;          ///< estimate [s]
+  std::optional<TwoFieldPlan> two_field;
 };
 
 /// What a running simulation tells, after each step.
@@ -54,6 +75,7 @@ struct RunSummary {
   double energy_relative_residual = 0.0;
   std::size_t peak_memory_bytes = 0;
   std::string status;  ///< "completed" or "stopped"
+  std::optional<TwoFieldSummary> two_field;
   std::vector<std::filesystem::path> files;
 };
 

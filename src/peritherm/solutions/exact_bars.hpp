@@ -116,6 +116,7 @@ struct LayeredBar {
   std::vector<double> start{1.0};       ///< one for each layer, or one for all
   double left = 0.0;
   double right = 0.0;
+  std::vector<double> resistances{};  ///< of the contacts, one less than layers; none: perfect [m² K/W]
   static constexpr std::string_view name = "layered_bar";
   static constexpr std::string_view help = "bar of layers of several materials whose ends are held";
   static constexpr auto options() {
@@ -126,6 +127,8 @@ struct LayeredBar {
                  "density times specific_heat, one for each layer"),
         optional("start", &LayeredBar::start, "K", any_number,
                  "temperatures at the start, one for each layer or one for all"),
+        optional("resistances", &LayeredBar::resistances, "m^2 K/W", not_negative,
+                 "of each contact, one less than layers; default: perfect"),
         optional("left", &LayeredBar::left, "K", any_number, "temperature at x = 0"),
         optional("right", &LayeredBar::right, "K", any_number, "temperature of the far end")};
   }

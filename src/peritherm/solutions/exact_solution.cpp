@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/base/text.hpp"
 #include "peritherm/solutions/classical.hpp"
+#include "peritherm/solutions/driven_layers.hpp"
+#include "peritherm/solutions/heat_wave.hpp"
 #include "peritherm/solutions/layered_slab.hpp"
 #include "peritherm/solutions/nonlocal_slab.hpp"
 
@@ -76,13 +79,81 @@ TemperatureAt prepare(const LayeredBar& bar) {
   double length = 0.0;
   for (std::size_t i = 0; i < bar.lengths.size(); ++i) {
     layers.push_back({bar.lengths[i], bar.conductivities[i], bar.heat_capacities[i],
-                      bar.start.size() == 1 ? bar.start[0] : bar.start[i]});
+                      bar.start.size() == 1 ? bar.start[0] : bar.start[i],
+                      i == 0 || bar.resistances.empty() ? 0.0 : bar.resistances[i - 1]});
     length += bar.lengths[i];
   }
   // Shared because the modes are many and functions are copied.
   const auto slab = std::make_shared<const LayeredSlab>(std::move(layers), bar.left, bar.right);
   return [slab, length](const Point& place, double time) {
     return slab->temperature(inside(place[0], length, LayeredBar::name), time);
+  };
+}
+
+template <class Layers>
+std::vector<ContactLayer> contact_layers(const Layers& options) {
+  std::vector<ContactLayer> layers;
+  for (std::size_t i = 0; i < options.lengths.size(); ++i) {
+    ContactLayer layer{options.lengths[i], options.conductivities[i], options.heat_capacities[i], FourierLaw{}, 0.0};
+    const double share = options.fourier_shares.empty() ? 0.0 : options.fourier_shares[i];
+    if (!options.relaxation_times.empty() && options.relaxation_times[i] > 0.0) {
+      layer.law = JeffreysLaw{options.relaxation_times[i], share};
+    }
+    if (i > 0 && !options.resistances.empty()) layer.resistance = options.resistances[i - 1];
+    layers.push_back(layer);
+  }
+  return layers;
+}
+
+template <class Layers>
+double length_of(const Layers& options) {
+  return std::accumulate(options.lengths.begin(), options.lengths.end(), 0.0);
+}
+
+/// Good enough to draw, and much quicker than all digits where waves run.
+constexpr double drawn_tolerance = 1e-11;
+
+TemperatureAt prepare(const RampedLayers& bar) {
+  const DrivenLayers layers =
+      DrivenLayers(contact_layers(bar), FarEnd::held, TemperatureRamp{bar.held - bar.start, bar.rise_time})
+          .with_tolerance(drawn_tolerance);
+  return [layers, start = bar.start, length = length_of(bar)](const Point& place, double time) {
+    return start + layers.temperature(inside(place[0], length, RampedLayers::name), time);
+  };
+}
+
+TemperatureAt prepare(const PulsedLayers& bar) {
+  const DrivenLayers layers =
+      DrivenLayers(contact_layers(bar), FarEnd::insulated, FluxPulse{bar.energy, bar.pulse_time})
+          .with_tolerance(drawn_tolerance);
+  return [layers, start = bar.start, length = length_of(bar)](const Point& place, double time) {
+    return start + layers.temperature(inside(place[0], length, PulsedLayers::name), time);
+  };
+}
+
+TemperatureAt prepare(const WaveFront& body) {
+  const double speed = std::sqrt(body.conductivity / (body.heat_capacity * body.relaxation_time));
+  return [body, speed](const Point& place, double time) {
+    const double xi = std::max(0.0, place[0]) / (speed * body.relaxation_time);
+    return body.start + (body.held - body.start) * heat_wave(xi, time / body.relaxation_time);
+  };
+}
+
+TemperatureAt prepare(const InclusionInGradient& plate) {
+  const DiscInGradient disc{plate.radius, plate.conductivity_inside, plate.conductivity_outside, plate.resistance};
+  return [plate, disc](const Point& place, double) {
+    const Point p = from_centre(place, plate.centre);
+    return plate.middle + plate.gradient * disc.temperature(p[0], p[1]);
+  };
+}
+
+TemperatureAt prepare(const CoaxialRings& options) {
+  const RingsInContact rings{options.radii[0],          options.radii[1],   options.radii[2], options.conductivities[0],
+                             options.conductivities[1], options.resistance, options.inner,    options.outer};
+  return [options, rings](const Point& place, double) {
+    const Point p = from_centre(place, options.centre);
+    const double radius = std::clamp(std::hypot(p[0], p[1]), rings.inner_radius, rings.outer_radius);
+    return radius < rings.contact_radius ? rings.temperature_inside(radius) : rings.temperature_outside(radius);
   };
 }
 
@@ -167,13 +238,36 @@ std::string fault_of(const SteppedStart& bar, int) {
   return bar.step < bar.length ? "" : "has its step beyond the end of the bar";
 }
 
-std::string fault_of(const LayeredBar& bar, int) {
+template <class Layers>
+std::string fault_of_layers(const Layers& bar) {
   const std::size_t layers = bar.lengths.size();
   if (layers == 0) return "has no layer";
   if (bar.conductivities.size() != layers || bar.heat_capacities.size() != layers) {
     return "has " + std::to_string(layers) + " lengths, " + std::to_string(bar.conductivities.size()) +
            " conductivities and " + std::to_string(bar.heat_capacities.size()) + " heat_capacities";
   }
+  if (bar.resistances.empty() || bar.resistances.size() + 1 == layers) return {};
+  return "has " + std::to_string(layers) + " lengths and " + std::to_string(bar.resistances.size()) +
+         " resistances, which must be one less";
+}
+
+/// With laws of flux.
+template <class Layers>
+std::string fault_of_laws(const Layers& bar) {
+  for (const std::vector<double>* list : {&bar.relaxation_times, &bar.fourier_shares}) {
+    if (!list->empty() && list->size() != bar.lengths.size()) {
+      return "needs relaxation_times and fourier_shares for all layers or for none";
+    }
+  }
+  return fault_of_layers(bar);
+}
+
+std::string fault_of(const RampedLayers& bar, int) { return fault_of_laws(bar); }
+std::string fault_of(const PulsedLayers& bar, int) { return fault_of_laws(bar); }
+
+std::string fault_of(const LayeredBar& bar, int) {
+  const std::size_t layers = bar.lengths.size();
+  if (std::string fault = fault_of_layers(bar); !fault.empty()) return fault;
   return bar.start.size() == 1 || bar.start.size() == layers ? "" : "needs one start for all layers or one for each";
 }
 
@@ -195,6 +289,21 @@ std::string fault_of(const SlitInSquare& square, int dimension) {
 }
 
 std::string fault_of(const SlitInGradient& body, int dimension) { return fault_of_slit(body.centre, dimension); }
+
+std::string fault_of_centre(const Coordinates& centre, int dimension) {
+  if (dimension < 2) return "is of a plate, but the body is 1-D";
+  return centre.size() == 2 || centre.size() == 3 ? "" : "needs a centre of two or three coordinates";
+}
+
+std::string fault_of(const InclusionInGradient& plate, int dimension) {
+  return fault_of_centre(plate.centre, dimension);
+}
+
+std::string fault_of(const CoaxialRings& rings, int dimension) {
+  if (rings.radii.size() != 3 || rings.conductivities.size() != 2) return "needs three radii and two conductivities";
+  if (!std::is_sorted(rings.radii.begin(), rings.radii.end())) return "has radii that do not grow";
+  return fault_of_centre(rings.centre, dimension);
+}
 
 /// Boxes say themselves how many dimensions they have.
 int dimension_of(const ExactSolution& solution) {

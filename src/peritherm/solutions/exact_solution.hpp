@@ -7,12 +7,14 @@
 #include "peritherm/base/describe.hpp"
 #include "peritherm/base/field.hpp"
 #include "peritherm/solutions/exact_bars.hpp"
+#include "peritherm/solutions/exact_contact.hpp"
 #include "peritherm/solutions/exact_plates.hpp"
 
 namespace peritherm {
 
 using ExactSolution = std::variant<HeldEnds, HeldAndInsulated, SteppedStart, HeldAndGradient, NonlocalHeldEnds,
-                                   LayeredBar, HeldBox, SlitInSquare, SlitInGradient, LumpedBody>;  ///< the list
+                                   LayeredBar, RampedLayers, PulsedLayers, WaveFront, HeldBox, SlitInSquare,
+                                   SlitInGradient, InclusionInGradient, CoaxialRings, LumpedBody>;  ///< the list
 
 /// What is wrong with the options of a solution for a body of 1, 2 or 3 dimensions, as words that follow its key;
 /// empty if nothing.

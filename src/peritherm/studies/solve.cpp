@@ -10,6 +10,8 @@
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/not_finite.hpp"
+#include "peritherm/simulation/running_case.hpp"
+#include "peritherm/simulation/two_field_plan.hpp"
 
 namespace peritherm {
 namespace {
@@ -46,17 +48,58 @@ class Recorder {
   Solution& solution_;
 };
 
+/// Through the interface that runs have too: parts may have points off the grid.
+Solution solve_two_fields(const Problem& problem, std::span<const double> times,
+                          const std::function<bool()>& stop_requested) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::unique_ptr<RunningCase> running = make_two_field_case(problem);
+  Solution solution;
+  const auto record = [&](double time) {
+    const Snapshot snapshot = running->snapshot(time);
+    if (solution.times.empty()) {
+      solution.grid = snapshot.grid;
+      solution.materials.assign(snapshot.materials.begin(), snapshot.materials.end());
+    }
+    solution.temperatures.emplace_back(snapshot.temperature.size());
+    snapshot.temperature.copy(0, solution.temperatures.back());
+    solution.times.push_back(time);
+    return !stop_requested || !stop_requested();
+  };
+  const Plan plan = running->plan();
+  solution.horizon = plan.horizon;
+  solution.integrator = plan.integrator;
+  const std::size_t first = !times.empty() && times.front() == 0.0 ? 1 : 0;
+  if (first == 1) record(0.0);
+  const auto goes_on = [&stop_requested](double) { return !stop_requested || !stop_requested(); };
+  if (first < times.size()) running->march(times.subspan(first), {goes_on, record, goes_on});
+  solution.count = running->count();
+  solution.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return solution;
+}
+
 }  // namespace
 
 double Solution::at(std::size_t time, const Point& place) const {
-  return interpolate(grid, temperatures.at(time), place);
+  const std::vector<double>& values = temperatures.at(time);
+  if (materials.empty()) return interpolate(grid, values, place);
+  // Never across an interface, where temperatures may jump.
+  const std::size_t nearest = grid.number(nearest_point(grid, place));
+  const InterpolationWeights weights =
+      interpolation_weights(grid, place, [&](std::size_t number) { return materials[number] == materials[nearest]; });
+  double sum = weights.count == 0 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  for (const WeightedPoint& point : weights) sum += point.weight * values[point.number];
+  return sum;
 }
 
 Prepared prepare_to_solve(Problem problem, std::span<const double> times) {
   if (!times.empty() && times.back() > 0.0) problem.time.end = times.back();
   problem.outputs.clear();
   check(problem);
-  return prepare(problem);
+  if (problem.nonlocality.model != Model::two_field) return prepare(problem);
+  Prepared prepared;
+  prepared.problem = prepare_two_field(problem);
+  prepared.threads = omp_get_max_threads();
+  return prepared;
 }
 
 Solution solve(const Problem& problem, std::span<const double> times, const std::function<bool()>& stop_requested) {
@@ -66,6 +109,7 @@ Solution solve(const Problem& problem, std::span<const double> times, const std:
 Solution solve(const Prepared& prepared, std::span<const double> times, const std::function<bool()>& stop_requested) {
   const Problem& problem = prepared.problem;
   omp_set_num_threads(prepared.threads);  // Each thread of the program has a number of its own.
+  if (problem.nonlocality.model == Model::two_field) return solve_two_fields(problem, times, stop_requested);
   const auto start = std::chrono::steady_clock::now();
   Assembly assembly = assemble(problem);
   Solution solution;

@@ -17,6 +17,7 @@ struct Solution {
   double horizon = 0.0;                           ///< [m]
   std::vector<double> times;                      ///< ascending [s]
   std::vector<std::vector<double>> temperatures;  ///< per time: of every point, x fastest; NaN where cut away
+  std::vector<MaterialIndex> materials;           ///< of a two-field body, per point; else empty
   StepCount count;
   std::string integrator;  ///< the one that was taken
   double bonds = 0.0;      ///< pairs of points that exchange heat, each counted once

@@ -23,7 +23,7 @@ PatternRows make_gradient_rows(const GradientClasses& gradient, int axis) {
 
 NonlocalOperators::NonlocalOperators(int dimension, const SubDomain& part, const std::vector<SurfacePoint>& surface,
                                      const Kernel& kernel)
-    : dimension_(dimension), volumes_(part.volumes) {
+    : dimension_(dimension), volumes_(part.volumes), positions_(part.positions), horizon_(part.horizon) {
   const Families families(dimension, part, kernel);
   auto classes = std::make_shared<GradientClasses>(dimension, part, families);
   traces_ = make_traces(part, surface, families, *classes);

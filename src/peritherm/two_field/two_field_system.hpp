@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "peritherm/two_field/contact_rows.hpp"
 #include "peritherm/two_field/nonlocal_operators.hpp"
 
 namespace peritherm {
@@ -18,23 +20,16 @@ struct PartLaw {
   double stabilisation = 1.0;             ///< s, of tr(k)/d · S [1]
 };
 
-/// One algebraic row: A (P₁ T₁ − P₂ T₂ − R λ) = A g with the multiplier λ, the flux from the first to the second or
-/// out of the body [W/m²].
-struct ContactRow {
-  int first = 0;       ///< part
-  Trace first_trace;   ///< on its points
-  int second = -1;     ///< part; −1: surroundings of temperature g
-  Trace second_trace;  ///< empty for surroundings
-  double area = 0.0;   ///< A [m²]
-  Point position{};    ///< [m]
-};
-
 /// What depends on time. Each function fills one entry per row or per point of all parts; none: zeros.
 struct TwoFieldLoads {
   std::function<void(double time, Field resistance)> resistance;     ///< R of every row [m² K/W]
   std::function<void(double time, Field temperature)> surroundings;  ///< g of every row [K]
   std::function<void(double time, Field heat)> heating;              ///< sources and prescribed fluxes, per point [W]
   bool resistance_depends_on_time = false;
+  /// Heat that enters through each boundary, and from sources, for the multipliers [W]. Integrators move its sums with
+  /// the rule and the stages of the temperatures, so that energy balances to rounding.
+  std::size_t accounts = 0;
+  std::function<void(double time, ConstField multipliers, Field rates)> account_rates;
 };
 
 /// Temperatures of all parts one behind another; fluxes of the parts with τ > 0, axis by axis, each as long as the
@@ -43,6 +38,7 @@ struct TwoFieldState {
   std::vector<double> temperature, temperature_rate;
   std::vector<std::vector<double>> flux, flux_rate;  ///< one per axis; empty if every part obeys Fourier's law
   std::vector<double> multipliers;
+  std::vector<double> account_heats, account_rates;  ///< [J], [W]
 };
 
 /// C dU/dt + K U + Φᵀ λ = F(t), Φ U − R λ = g(t): temperatures T and total fluxes q of parts that touch, with
@@ -64,18 +60,48 @@ class TwoFieldSystem {
   std::span<const ContactRow> rows() const { return rows_; }
   const TwoFieldLoads& loads() const { return loads_; }
 
-  /// Total flux at every point [W/m²]: −k G T where τ = 0.
+  /// Total flux at every point [W/m²]: −k G T where τ = 0. One field per axis.
   void heat_flux(const TwoFieldState& state, const std::array<Field, 3>& flux) const;
   /// Σ ρ c V T [J].
   double stored_heat(ConstField temperature) const;
-  /// Largest |Φ U − R λ − g| / A of a row [K].
+  /// Largest |P₁ T₁ − P₂ T₂ − R λ − g| of a row [K].
   double constraint_residual(double time, const TwoFieldState& state) const;
 
+  /// A state of zeros.
+  TwoFieldState make_state() const;
+  bool has_fluxes() const { return has_fluxes_; }  ///< τ > 0 anywhere?
+  std::size_t first_point(std::size_t part) const { return first_point_[part]; }
+  ConstField capacities() const { return capacities_; }  ///< ρ c V [J/K]
+  const ContactMatrix& contacts() const { return contacts_; }
+  /// R of every row; 0 without a function [m² K/W].
+  std::vector<double> resistances(double time) const;
+  /// A g of every row [K m²].
+  std::vector<double> surroundings(double time) const;
+  /// heat += factor · what sources and prescribed fluxes bring [W].
+  void add_heating(double time, double factor, Field heat) const;
+  /// heat += factor · what acts at once: (Gᵀ V k G + s k S) T where τ = 0, s k S T elsewhere [W].
+  void add_conduction(double factor, ConstField temperature, Field heat) const;
+  /// heat += factor · Gᵀ V q, of the parts with τ > 0 [W].
+  void add_divergence(double factor, const std::vector<std::vector<double>>& flux, Field heat) const;
+  /// flux = k G T in the parts with τ > 0, 0 elsewhere.
+  void conductive_flux(ConstField temperature, std::vector<std::vector<double>>& flux) const;
+  /// Rows of Gᵀ V κ k G + s k S for a part, κ = (1 + τ F σ) / (1 + τ σ): what is left of K at a shift σ without q.
+  PatternRows stage_conduction(std::size_t part, double shift) const;
+
  private:
+  ConstField of_part(ConstField all, std::size_t part) const;
+  Field of_part(Field all, std::size_t part) const;
+  void refuse_dependent_rows() const;
+
   std::vector<NonlocalOperators> parts_;
   std::vector<PartLaw> laws_;
   std::vector<ContactRow> rows_;
   TwoFieldLoads loads_;
+  std::vector<std::size_t> first_point_;
+  std::vector<double> capacities_;
+  std::vector<PatternRows> at_once_;
+  ContactMatrix contacts_;
+  bool has_fluxes_ = false;
 };
 
 /// How far the rows with R = 0 are from what the temperatures say at the start.
@@ -87,7 +113,7 @@ struct StartFault {
 std::optional<StartFault> find_start_fault(const TwoFieldSystem& system, double time, ConstField temperature);
 
 /// Consistent rates and multipliers for temperatures and fluxes (τ > 0; else they are not read). Temperatures move onto
-/// the rows with R = 0 by the least change in heat.
+/// the rows with R = 0 by the least change in heat; their rates keep the rows.
 void make_consistent(const TwoFieldSystem& system, double time, TwoFieldState& state);
 
 }  // namespace peritherm

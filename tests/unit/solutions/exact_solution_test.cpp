@@ -57,6 +57,50 @@ TEST(ExactSolution, bars_of_2021_have_their_known_values) {
   EXPECT_NEAR(temperature(four, {0.05, 0.0, 0.0}, 2.0), 77.20053110, printed_8);
 }
 
+TEST(ExactSolution, layers_in_contact_have_their_known_values) {
+  RampedLayers jeffreys;
+  jeffreys.lengths = {0.5, 0.5};
+  jeffreys.conductivities = {1.0, 0.25};
+  jeffreys.heat_capacities = {1.0, 2.0};
+  jeffreys.relaxation_times = {0.1, 0.2};
+  jeffreys.fourier_shares = {0.3, 0.1};
+  jeffreys.resistances = {0.5};
+  jeffreys.rise_time = 0.05;
+  jeffreys.held = 30.0;
+  jeffreys.start = 20.0;
+  EXPECT_NEAR(temperature(jeffreys, {0.25, 0.0, 0.0}, 0.6), 20.0 + 8.9303941, 0.6e-7);
+  EXPECT_NEAR(temperature(jeffreys, {0.75, 0.0, 0.0}, 0.6), 20.0 + 1.1547490, 0.6e-7);
+  LayeredBar step{{0.5, 0.5}, {1.0, 0.25}, {1.0, 2.0}, {0.0}, 1.0, 0.0};
+  EXPECT_NEAR(temperature(step, {0.25, 0.0, 0.0}, 0.1), 0.59130487, printed_8);
+  EXPECT_NEAR(temperature(step, {0.5, 0.0, 0.0}, 0.1), 0.30861088, printed_8);
+  EXPECT_NEAR(temperature(step, {0.75, 0.0, 0.0}, 0.1), 0.00814368, printed_8);
+  EXPECT_NEAR(temperature(step, {0.25, 0.0, 0.0}, 0.5), 0.84219562, printed_8);
+  EXPECT_NEAR(temperature(step, {0.5, 0.0, 0.0}, 0.5), 0.69568801, printed_8);
+  EXPECT_NEAR(temperature(step, {0.75, 0.0, 0.0}, 0.5), 0.25077079, printed_8);
+  step.resistances = {0.75};
+  EXPECT_NEAR(temperature(step, {0.49999999999, 0.0, 0.0}, 100.0), 1.0 - 0.5 / (0.5 + 0.75 + 2.0), 1e-10);
+  EXPECT_NEAR(temperature(step, {0.5, 0.0, 0.0}, 100.0), 2.0 / (0.5 + 0.75 + 2.0), 1e-10);
+  EXPECT_NEAR(temperature(WaveFront{4.0, 2.0, 0.5, 12.0, 2.0}, {0.5, 0.0, 0.0}, 0.35), 2.0 + 10.0 * 0.78810, 1e-4);
+}
+
+TEST(ExactSolution, discs_and_pulses_are_shifted_and_scaled) {
+  const Point place{0.6, 0.1, 0.0};
+  // Twice as much inside as without a disc, if it conducts nothing but has the resistance of nothing: 2/(1 + 0 + 0).
+  const InclusionInGradient disc{0.3, 1e-12, 2.0, 0.0, 5.0, 7.0, {0.5, 0.0}};
+  EXPECT_NEAR(temperature(disc, place, 0.0), 7.0 + 5.0 * 2.0 * 0.1, 1e-10);
+  const CoaxialRings rings{{0.1, 0.3, 0.7}, {5.0, 5.0}, 0.0, 90.0, 20.0, {0.5, 0.0}};
+  const double radius = std::hypot(0.1, 0.1);
+  EXPECT_NEAR(temperature(rings, place, 0.0), 90.0 - 70.0 * std::log(radius / 0.1) / std::log(7.0), 1e-12);
+  PulsedLayers pulse;
+  pulse.lengths = {0.1, 0.4};
+  pulse.conductivities = {2.0, 1.0};
+  pulse.heat_capacities = {3.0, 1.0};
+  pulse.energy = 1.4;
+  pulse.pulse_time = 0.01;
+  pulse.start = 3.0;
+  EXPECT_NEAR(temperature(pulse, {0.3, 0.0, 0.0}, 20.0), 3.0 + 1.4 / 0.7, 1e-9);
+}
+
 TEST(ExactSolution, start_and_held_temperatures_are_shifted_and_scaled) {
   const Point place{0.3, 0.0, 0.0};
   const double share = slab_with_held_ends({1.0, 2.0}, 0.3, 0.02);
@@ -138,6 +182,20 @@ TEST(ExactSolution, faults_of_options_are_named) {
             "has 2 lengths, 1 conductivities and 2 heat_capacities");
   EXPECT_EQ(find_fault(LayeredBar{{1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}, {0.0, 1.0, 2.0}, 0.0, 0.0}, 1),
             "needs one start for all layers or one for each");
+  LayeredBar contacts{{1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}, {0.0}, 0.0, 0.0};
+  contacts.resistances = {0.1, 0.2};
+  EXPECT_EQ(find_fault(contacts, 1), "has 2 lengths and 2 resistances, which must be one less");
+  RampedLayers ramped;
+  ramped.lengths = {1.0};
+  ramped.conductivities = {1.0};
+  ramped.heat_capacities = {1.0};
+  ramped.relaxation_times = {1.0, 2.0};
+  EXPECT_EQ(find_fault(ramped, 1), "needs relaxation_times and fourier_shares for all layers or for none");
+  EXPECT_EQ(find_fault(CoaxialRings{{1.0, 2.0}, {1.0, 1.0}, 0.0, 1.0, 0.0, {0.0, 0.0}}, 2),
+            "needs three radii and two conductivities");
+  EXPECT_EQ(find_fault(CoaxialRings{{1.0, 3.0, 2.0}, {1.0, 1.0}, 0.0, 1.0, 0.0, {0.0, 0.0}}, 2),
+            "has radii that do not grow");
+  EXPECT_EQ(find_fault(InclusionInGradient{}, 1), "is of a plate, but the body is 1-D");
   EXPECT_EQ(find_fault(HeldBox{{1.0, 1.0}, 1.0, 1.0, 0.0}, 3), "has 2 lengths, but the body is 3-D");
   EXPECT_EQ(find_fault(SlitInSquare{1.0, 2.0, 0.0, 1.0, {0.0, 0.0}}, 2), "has a slit that cuts all of the square");
   EXPECT_EQ(find_fault(SlitInGradient{1.0, 2.0, 0.0, {0.0, 0.0}}, 1), "has a slit, which a 1-D body cannot have");

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "peritherm/discretisation/sub_domains.hpp"
+
+namespace peritherm {
+
+/// Value at a place from those of points: Σ weight · value, or, beside a surface, the value of one point carried on
+/// along its gradient.
+struct PlaceValue {
+  std::vector<std::pair<std::size_t, double>> points;  ///< number among the points of all parts, weight
+  Point offset{};                                      ///< from the only point [m]; 0 between points
+  int part = -1;                                       ///< −1: nothing is there
+};
+
+/// The raster on which pictures and files show a body whose parts have points of their own. Never mixes parts.
+class TwoFieldDisplay {
+ public:
+  /// `body` must outlive it. The raster is the grid of the case, refined where parts have finer points.
+  TwoFieldDisplay(const Grid& grid, const DividedBody& body);
+
+  const Grid& grid() const { return raster_; }
+  const std::vector<MaterialIndex>& materials() const { return materials_; }
+  /// The point whose cell a raster cell lies in, −1 for none; and how far its centre is from it.
+  std::int64_t point_of(std::size_t cell) const { return point_of_[cell]; }
+  Point offset(std::size_t cell) const;
+  /// Multilinear between points of one part on a grid, else from the nearest point of the part around the place.
+  const PlaceValue& value_at(const Point& place) const;
+
+ private:
+  struct Lattice {
+    GridIndex low{}, count{};
+    Point origin{};                   ///< place of the point with indices `low` [m]
+    std::vector<std::int64_t> point;  ///< among the points of all parts; −1: none
+  };
+  void paint();
+  void paint_point(const SubDomain& part, std::size_t number, const Point& position, std::vector<float>& distances);
+  Lattice make_lattice(const SubDomain& part, std::size_t first) const;
+  bool interpolate(std::size_t part, const Point& place, PlaceValue& value) const;
+  PlaceValue find(const Point& place) const;
+
+  const DividedBody& body_;
+  Grid raster_;
+  std::vector<std::size_t> first_;  ///< first point of each part, and the number of all
+  std::vector<Lattice> lattices_;   ///< empty for parts that are none
+  std::vector<MaterialIndex> materials_;
+  std::vector<std::int64_t> point_of_;
+  std::vector<Point> positions_;
+  mutable std::map<Point, PlaceValue> known_;
+};
+
+}  // namespace peritherm

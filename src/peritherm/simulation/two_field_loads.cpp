@@ -1,0 +1,166 @@
+#include "peritherm/simulation/two_field_loads.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "peritherm/base/error.hpp"
+#include "peritherm/simulation/assemble.hpp"
+
+namespace peritherm {
+namespace {
+
+/// What is prescribed at a set of rows.
+struct RowProfile {
+  CompiledProfile profile;
+  std::vector<std::size_t> rows;
+  bool inverse = false;  ///< R = 1 / value
+};
+
+/// The profiles of a two-field body, compiled once.
+struct CompiledLoads {
+  std::vector<RowProfile> resistances, surroundings;
+  std::vector<double> fixed_resistance;  ///< of rows of convection
+  std::vector<Point> positions;          ///< of all rows
+  std::vector<LoadedEntries> heating;
+  std::vector<double> areas;    ///< of all rows [m²]
+  std::vector<int> account_of;  ///< of all rows; −1: an interface
+
+  void fill(std::vector<RowProfile>& profiles, double time, Field target) const {
+    for (RowProfile& entry : profiles) {
+      const bool same = !entry.profile.depends_on_place();
+      double value = same ? entry.profile(positions[entry.rows.front()], time) : 0.0;
+      for (const std::size_t row : entry.rows) {
+        if (!same) value = entry.profile(positions[row], time);
+        target[row] = entry.inverse ? 1.0 / value : value;
+      }
+    }
+  }
+};
+
+void refuse_resistance(double value, const Point& place, double time) {
+  throw Error("a contact's resistance is " + std::to_string(value) + " m^2 K/W at t = " + std::to_string(time) +
+                  " s, x = " + std::to_string(place[0]) + " m",
+              "Let its expression stay positive", Fault::numerics);
+}
+
+const ContactLaw& law_of_contact(const Problem& problem, int contact) {
+  static const ContactLaw perfect{PerfectContact{}};
+  return contact < 0 ? perfect : problem.contacts[static_cast<std::size_t>(contact)].law;
+}
+
+void collect_contacts(const Problem& problem, std::span<const RowMeaning> meanings, CompiledLoads& loads) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    std::vector<std::size_t> rows;
+    for (std::size_t r = 0; r < meanings.size(); ++r) {
+      if (meanings[r].contact == static_cast<int>(c)) rows.push_back(r);
+    }
+    const ContactLaw& law = law_of_contact(problem, static_cast<int>(c));
+    if (rows.empty() || std::holds_alternative<PerfectContact>(law)) continue;
+    const auto* resistance = std::get_if<ContactResistance>(&law);
+    const Profile& value = resistance != nullptr ? resistance->value : std::get<ContactConductance>(law).value;
+    loads.resistances.push_back({CompiledProfile(value), std::move(rows), resistance == nullptr});
+  }
+}
+
+void collect_boundaries(const Problem& problem, std::span<const RowMeaning> meanings, CompiledLoads& loads) {
+  for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
+    const BoundaryCondition& condition = problem.boundaries[b].condition;
+    const auto* held = std::get_if<HeldTemperature>(&condition);
+    const auto* convection = std::get_if<Convection>(&condition);
+    std::vector<std::size_t> rows;
+    for (std::size_t r = 0; r < meanings.size(); ++r) {
+      if (meanings[r].boundary == static_cast<int>(b)) rows.push_back(r);
+    }
+    if (rows.empty() || (held == nullptr && convection == nullptr)) continue;
+    for (const std::size_t r : rows) loads.fixed_resistance[r] = held != nullptr ? 0.0 : 1.0 / convection->coefficient;
+    loads.surroundings.push_back(
+        {CompiledProfile(held != nullptr ? held->value : convection->ambient), std::move(rows), false});
+  }
+}
+
+void collect_sources(const Problem& problem, const DividedBody& body, CompiledLoads& loads) {
+  for (std::size_t s = 0; s < problem.sources.size(); ++s) {
+    const HeatSource& source = problem.sources[s];
+    LoadedEntries heated{CompiledProfile(source.value), {}, static_cast<int>(problem.boundaries.size())};
+    std::size_t number = 0;
+    for (const SubDomain& part : body.parts) {
+      for (std::size_t i = 0; i < part.size(); ++i, ++number) {
+        if (source.where && !contains(*source.where, part.positions[i], 1e-9 * part.spacing)) continue;
+        heated.entries.push_back({number, part.volumes[i], part.positions[i]});
+      }
+    }
+    if (heated.entries.empty()) {
+      throw Error("source." + std::to_string(s) + ".where: contains no point of the body", "Move or enlarge it");
+    }
+    loads.heating.push_back(std::move(heated));
+  }
+}
+
+}  // namespace
+
+void LoadedEntries::add(double time, Field target) {
+  const bool same = !profile.depends_on_place();
+  double value = same && !entries.empty() ? profile(entries.front().position, time) : 0.0;
+  for (const Entry& entry : entries) {
+    if (!same) value = profile(entry.position, time);
+    target[entry.number] += entry.factor * value;
+  }
+}
+
+double LoadedEntries::sum(double time) {
+  double sum = 0.0;
+  for (const Entry& entry : entries) sum += entry.factor * profile(entry.position, time);
+  return sum;
+}
+
+TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& body, std::span<const ContactRow> rows,
+                                   std::span<const RowMeaning> meanings,
+                                   const std::vector<LoadedEntries>& surface_fluxes) {
+  auto compiled = std::make_shared<CompiledLoads>();
+  for (const ContactRow& row : rows) {
+    compiled->positions.push_back(row.position);
+    compiled->areas.push_back(row.area);
+  }
+  for (const RowMeaning& meaning : meanings) compiled->account_of.push_back(meaning.boundary);
+  compiled->fixed_resistance.assign(rows.size(), 0.0);
+  collect_contacts(problem, meanings, *compiled);
+  collect_boundaries(problem, meanings, *compiled);
+  compiled->heating = surface_fluxes;
+  collect_sources(problem, body, *compiled);
+  TwoFieldLoads loads;
+  loads.resistance = [compiled](double time, Field resistance) {
+    std::copy(compiled->fixed_resistance.begin(), compiled->fixed_resistance.end(), resistance.begin());
+    compiled->fill(compiled->resistances, time, resistance);
+    for (std::size_t r = 0; r < resistance.size(); ++r) {
+      if (!(resistance[r] >= 0.0)) refuse_resistance(resistance[r], compiled->positions[r], time);
+    }
+  };
+  for (RowProfile& entry : compiled->resistances) {
+    loads.resistance_depends_on_time = loads.resistance_depends_on_time || entry.profile.depends_on_time();
+  }
+  if (!compiled->surroundings.empty()) {
+    loads.surroundings = [compiled](double time, Field temperature) {
+      std::fill(temperature.begin(), temperature.end(), 0.0);
+      compiled->fill(compiled->surroundings, time, temperature);
+    };
+  }
+  if (!compiled->heating.empty()) {
+    loads.heating = [compiled](double time, Field heat) {
+      std::fill(heat.begin(), heat.end(), 0.0);
+      for (LoadedEntries& entries : compiled->heating) entries.add(time, heat);
+    };
+  }
+  loads.accounts = problem.boundaries.size() + (problem.sources.empty() ? 0 : 1);
+  loads.account_rates = [compiled](double time, ConstField multipliers, Field rates) {
+    std::fill(rates.begin(), rates.end(), 0.0);
+    for (std::size_t r = 0; r < multipliers.size(); ++r) {
+      const int account = compiled->account_of[r];
+      if (account >= 0) rates[static_cast<std::size_t>(account)] -= compiled->areas[r] * multipliers[r];
+    }
+    for (LoadedEntries& entries : compiled->heating)
+      rates[static_cast<std::size_t>(entries.account)] += entries.sum(time);
+  };
+  return loads;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+
+#include "peritherm/simulation/problem.hpp"
+#include "peritherm/simulation/two_field_assembly.hpp"
+
+namespace peritherm {
+
+/// A profile with the entries that it fills: values times factors are added to them.
+struct LoadedEntries {
+  CompiledProfile profile;
+  struct Entry {
+    std::size_t number;
+    double factor;
+    Point position;
+  };
+  std::vector<Entry> entries;
+  int account = -1;  ///< that the values times factors belong to
+
+  /// target[number] += factor · value.
+  void add(double time, Field target);
+  /// Σ factor · value.
+  double sum(double time);
+};
+
+/// What a row stands for.
+struct RowMeaning {
+  int contact = -1;   ///< number of the [[contact]]; −1: perfect, or a boundary
+  int boundary = -1;  ///< number of the [[boundary]]; −1: an interface
+};
+
+/// What heats the points and fills the rows, by time.
+TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& body, std::span<const ContactRow> rows,
+                                   std::span<const RowMeaning> meanings,
+                                   const std::vector<LoadedEntries>& surface_fluxes);
+
+}  // namespace peritherm

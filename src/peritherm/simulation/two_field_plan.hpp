@@ -1,0 +1,14 @@
+#pragma once
+
+#include "peritherm/simulation/simulate.hpp"
+#include "peritherm/simulation/two_field_assembly.hpp"
+
+namespace peritherm {
+
+/// Resolves what the case leaves open, and tells OpenMP the number of threads. Throws Error (Fault::machine) if the run
+/// would not fit into the memory that is available.
+Problem prepare_two_field(const Problem& problem);
+
+Plan make_two_field_plan(const Problem& problem, const TwoFieldAssembly& assembly, const Grid& raster);
+
+}  // namespace peritherm
