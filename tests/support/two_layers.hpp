@@ -74,6 +74,44 @@ inline TwoFieldSystem make_two_layers(const TwoLayers& layers, int cells, double
                         std::move(rows), std::move(loads));
 }
 
+/// The same as two squares of edge 1/2 side by side, insulated above and below.
+inline TwoFieldSystem make_two_plates(const TwoLayers& layers, int cells, double ratio,
+                                      std::function<double(double)> held, double stabilisation = 1.0) {
+  const double spacing = 0.5 / cells;
+  const Kernel kernel{ConstantKernel{}, 1};
+  std::vector<NonlocalOperators> parts;
+  std::vector<ContactRow> rows;
+  std::vector<std::array<std::vector<std::size_t>, 2>> sides;  // of each part, the places at low and at high x
+  for (const double origin : {0.0, 0.5}) {
+    const ClosedPart plate = box_part(2, {cells, cells, 1}, spacing, ratio * spacing, {origin, 0.0, 0.0});
+    parts.emplace_back(2, plate.part, plate.surface, kernel);
+    auto& own = sides.emplace_back();
+    for (std::size_t n = 0; n < plate.surface.size(); ++n) {
+      if (plate.surface[n].normal[0] != 0.0) own[plate.surface[n].normal[0] > 0.0].push_back(n);
+    }
+  }
+  for (int k = 0; k < cells; ++k) {
+    const double y = (k + 0.5) * spacing;
+    rows.push_back(
+        {0, parts[0].traces()[sides[0][1][k]], 1, parts[1].traces()[sides[1][0][k]], spacing, {0.5, y, 0.0}});
+    if (!held) continue;
+    rows.push_back({0, parts[0].traces()[sides[0][0][k]], -1, {}, spacing, {0.0, y, 0.0}});
+    rows.push_back({1, parts[1].traces()[sides[1][1][k]], -1, {}, spacing, {1.0, y, 0.0}});
+  }
+  TwoFieldLoads loads;
+  loads.resistance = [value = layers.resistance, held = static_cast<bool>(held)](double, Field resistance) {
+    for (std::size_t r = 0; r < resistance.size(); ++r) resistance[r] = r % 3 == 0 || !held ? value : 0.0;
+  };
+  if (held) {
+    loads.surroundings = [held](double time, Field outside) {
+      for (std::size_t r = 0; r < outside.size(); ++r) outside[r] = r % 3 == 1 ? held(time) : 0.0;
+    };
+  }
+  return TwoFieldSystem(std::move(parts),
+                        {law_of(layers.first, stabilisation, 2), law_of(layers.second, stabilisation, 2)},
+                        std::move(rows), std::move(loads));
+}
+
 /// In the middle between four points, by the cubic through them; the points' number is even.
 inline double value_in_the_middle(ConstField values) {
   const std::size_t n = values.size() / 2;

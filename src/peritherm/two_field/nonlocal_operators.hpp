@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "peritherm/discretisation/sub_domains.hpp"
@@ -28,7 +29,9 @@ class NonlocalOperators {
   std::size_t size() const { return volumes_.size(); }
   int dimension() const { return dimension_; }
   ConstField volumes() const { return volumes_; }
-  const std::vector<Trace>& traces() const { return traces_; }  ///< one per surface point
+  std::span<const Point> positions() const { return positions_; }  ///< [m]
+  double horizon() const { return horizon_; }                      ///< [m]
+  const std::vector<Trace>& traces() const { return traces_; }     ///< one per surface point
 
   /// gradient[axis] = G_axis T [K/m].
   void gradient(ConstField temperature, const std::array<Field, 3>& gradient) const;
@@ -42,6 +45,8 @@ class NonlocalOperators {
  private:
   int dimension_;
   std::vector<double> volumes_;
+  std::vector<Point> positions_;
+  double horizon_;
   std::vector<Trace> traces_;
   std::shared_ptr<const GradientClasses> classes_;
   std::shared_ptr<const PointClasses> surroundings_;

@@ -1,11 +1,22 @@
 #include "peritherm/two_field/stage_solver.hpp"
 
 namespace peritherm {
+namespace {
 
-StageMethod choose_stage_method(const TwoFieldSystem&, std::size_t) { return StageMethod::direct; }
+/// Points up to which factors are made and used faster than iterations go, measured.
+constexpr std::size_t most_factored_points[] = {0, 2000000, 20000, 4000};
+constexpr std::size_t most_factored_rows = 1500;  ///< their range space is dense
 
-std::unique_ptr<StageSolver> make_stage_solver(StageMethod, const TwoFieldSystem& system, double shift) {
-  return make_direct_stage(system, shift);
+}  // namespace
+
+StageMethod choose_stage_method(const TwoFieldSystem& system, std::size_t) {
+  const bool factors =
+      system.size() <= most_factored_points[system.dimension()] && system.multipliers() <= most_factored_rows;
+  return factors ? StageMethod::direct : StageMethod::iterative;
+}
+
+std::unique_ptr<StageSolver> make_stage_solver(StageMethod method, const TwoFieldSystem& system, double shift) {
+  return method == StageMethod::direct ? make_direct_stage(system, shift) : make_iterative_stage(system, shift);
 }
 
 }  // namespace peritherm
