@@ -17,7 +17,7 @@ constexpr double least_extent = 1.4;
 /// A piece of nearly the least extent may stay if it would become larger than this with any neighbour.
 constexpr double largest_extent = 3.6;
 /// Least size of a piece of a face of the box, in faces of cells.
-constexpr double least_share = 0.7;
+constexpr double least_face_share = 0.7;
 /// Below this size direction does not matter.
 constexpr double sliver = 0.1;
 /// Least cosine between the directions of pieces that merge.
@@ -50,7 +50,7 @@ class PieceMerger {
   double area_of_extent(double extent) const { return face_ * std::pow(extent, grid_.dimension - 1); }
 
   bool is_small(const SurfacePiece& piece) const {
-    return length(piece.area) < (piece.movable ? area_of_extent(least_extent) : least_share * face_);
+    return length(piece.area) < (piece.movable ? area_of_extent(least_extent) : least_face_share * face_);
   }
 
   /// One pass from the smallest to the largest; was any merged?
