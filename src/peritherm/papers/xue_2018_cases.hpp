@@ -13,8 +13,8 @@
 
 namespace peritherm {
 
-/// Two layers of 0.5 in contact at x = 0.5, without dimensions. The paper's own numbers are not public; these are chosen
-/// after its names of the cases.
+/// Two layers of 0.5 in contact at x = 0.5, without dimensions. The paper's own numbers are not public; these are
+/// chosen after its names of the cases.
 struct LayersOf2018 {
   std::string name;  ///< "II resistance"
   ContactLayer first, second;
@@ -55,11 +55,11 @@ void step_by(Problem& problem, double step, double rho, double rho_rate,
 /// What a run of two fields leaves.
 struct ContactRun {
   Grid grid;
-  std::vector<MaterialIndex> materials;            ///< of the raster
-  std::vector<double> times;                       ///< ascending [s]
-  std::vector<std::vector<double>> temperatures;   ///< per time: of the raster
-  std::vector<std::vector<double>> at_places;      ///< per time: at the places asked for
-  std::vector<std::vector<Point>> fluxes;          ///< per time: of the raster
+  std::vector<MaterialIndex> materials;                ///< of the raster
+  std::vector<double> times;                           ///< ascending [s]
+  std::vector<std::vector<double>> temperatures;       ///< per time: of the raster
+  std::vector<std::vector<double>> at_places;          ///< per time: at the places asked for
+  std::vector<std::vector<Point>> fluxes;              ///< per time: of the raster
   std::vector<std::vector<InterfaceValues>> contacts;  ///< per time
   std::vector<std::vector<HeatAccount>> accounts;      ///< per time
   std::vector<double> stored;                          ///< per time

@@ -55,9 +55,9 @@ std::string disc_start_2018(const DiscMode& mode) {
                                      power_series_2018(coefficients[1], 0.25 * outside));
   const double middle = 0.75;
   const double root = std::sqrt(outside);
-  const double size = mode.temperature_outside(middle, 0.0) /
-                      (std::cyl_bessel_j(0.0, root * middle) * std::cyl_neumann(0.0, rim) -
-                       std::cyl_neumann(0.0, root * middle) * std::cyl_bessel_j(0.0, rim));
+  const double size =
+      mode.temperature_outside(middle, 0.0) / (std::cyl_bessel_j(0.0, root * middle) * std::cyl_neumann(0.0, rim) -
+                                               std::cyl_neumann(0.0, root * middle) * std::cyl_bessel_j(0.0, rim));
   return fmt::format("x^2 + y^2 < {:.17g} ? {} : {:.17g}*({:.17g}*{} - ({:.17g})*{})",
                      disc_2018.radius * disc_2018.radius, power_series_2018(coefficients[0], 0.25 * inside), size,
                      std::cyl_neumann(0.0, rim), j0, std::cyl_bessel_j(0.0, rim), y0);
@@ -91,8 +91,7 @@ Problem disc_problem_2018(int cells, const DiscMode& mode) {
   problem.materials["ring"] = fourier_material_2018(disc_2018.conductivity_outside, disc_2018.heat_capacity_outside);
   problem.materials["disc"] = fourier_material_2018(disc_2018.conductivity_inside, disc_2018.heat_capacity_inside);
   for (const bool inside : {false, true}) {
-    BodyRegion region{inside ? "disc" : "ring",
-                      Ball{{0.0, 0.0}, inside ? disc_2018.radius : disc_2018.outer_radius}};
+    BodyRegion region{inside ? "disc" : "ring", Ball{{0.0, 0.0}, inside ? disc_2018.radius : disc_2018.outer_radius}};
     region.points = PartPoints::rings;
     problem.body.regions.push_back(std::move(region));
   }
@@ -227,7 +226,8 @@ InclusionErrors2018 inclusion_errors_2018(const ContactRun& run, const DiscInGra
 
 constexpr std::array<double, 3> inclusion_resistances_2018{0.0, 0.1, 1.0};
 
-ReportPicture inclusion_picture_2018(const std::vector<ContactRun>& computed, std::size_t grids, const PaperRuns& runs) {
+ReportPicture inclusion_picture_2018(const std::vector<ContactRun>& computed, std::size_t grids,
+                                     const PaperRuns& runs) {
   Chart chart = make_paper_chart("Inclusion in a gradient, along y = 0", "x", "temperature");
   for (std::size_t r = 0; r < inclusion_resistances_2018.size(); ++r) {
     const ContactRun& run = computed[r * grids + grids - 1];
@@ -271,10 +271,11 @@ ReportSection disc_section_2018(PaperRuns& runs) {
   section.blocks.push_back(ReportText{
       "A disc of radius 0.5 (k = 0.25, ρc = 2) in a ring up to 1 (k = 1, ρc = 1) with R = 0.5, held at 0 outside. The "
       "slow mode is made of Bessel's functions; its rate is 1.381396819619. Points stand on rings."});
-  section.blocks.push_back(ReportTable{
-      "Rate of the mode",
-      {ReportRow("μ", {12, false}).recomputed(1.381396819619).exact(mode.rate()).near(ValueKind::exact,
-                                                                                    ValueKind::recomputed, 1e-12)}});
+  section.blocks.push_back(ReportTable{"Rate of the mode",
+                                       {ReportRow("μ", {12, false})
+                                            .recomputed(1.381396819619)
+                                            .exact(mode.rate())
+                                            .near(ValueKind::exact, ValueKind::recomputed, 1e-12)}});
   section.blocks.push_back(disc_table_2018(errors));
   if (runs.quick()) section.left_out = "the spacing 0.025.";
   return section;
@@ -308,7 +309,8 @@ ReportSection inclusion_section_2018(PaperRuns& runs) {
   }
   ReportSection section;
   section.blocks.push_back(ReportText{
-      "A disc that conducts five times better than the plate around it, with a contact resistance, in a gradient: inside "
+      "A disc that conducts five times better than the plate around it, with a contact resistance, in a gradient: "
+      "inside "
       "the temperature is linear, outside a dipole. The sides of the square are held at the exact values; steady. The "
       "points stand on the grid of the plate, and cells that the circle crosses are shared."});
   section.blocks.push_back(inclusion_picture_2018(computed, cells.size(), runs));

@@ -58,29 +58,31 @@ ReportTable mode_table_2018(const std::vector<ModeSeries>& series) {
   ReportTable table{"Largest error over the largest temperature, horizon of three spacings", {}};
   for (const ModeSeries& one : series) {
     for (std::size_t k = 0; k < one.cells.size(); ++k) {
-      ReportRow row(fmt::format("{}, s = {}, {} points per layer", one.known.name, one.known.stabilisation,
-                                one.cells[k]),
-                    {1, true});
+      ReportRow row(
+          fmt::format("{}, s = {}, {} points per layer", one.known.name, one.known.stabilisation, one.cells[k]),
+          {1, true});
       row.defaults(one.errors[k].temperature);
       if (one.cells[k] == 20) row.recomputed(one.known.coarse);
       if (one.cells[k] == 160) row.recomputed(one.known.fine);
       // The prototype prints two digits.
       if (row.value(ValueKind::recomputed)) {
-        row.below("|ours / its - 1|", std::abs(one.errors[k].temperature / *row.value(ValueKind::recomputed) - 1.0), 0.06);
+        row.below("|ours / its - 1|", std::abs(one.errors[k].temperature / *row.value(ValueKind::recomputed) - 1.0),
+                  0.06);
       }
       table.rows.push_back(std::move(row));
     }
-    table.rows.push_back(ReportRow(fmt::format("{}, s = {}, order of the last halving", one.known.name,
-                                               one.known.stabilisation),
-                                   {2, false})
-                             .defaults(one.order())
-                             .below("|order - 2|", std::abs(one.order() - 2.0), 0.2));
+    table.rows.push_back(
+        ReportRow(fmt::format("{}, s = {}, order of the last halving", one.known.name, one.known.stabilisation),
+                  {2, false})
+            .defaults(one.order())
+            .below("|order - 2|", std::abs(one.order() - 2.0), 0.2));
   }
   return table;
 }
 
 ReportTable mode_flux_table_2018(const std::vector<ModeSeries>& series) {
-  ReportTable table{"Error of the flux through the contact over the largest flux, finest grid; constraint residual", {}};
+  ReportTable table{"Error of the flux through the contact over the largest flux, finest grid; constraint residual",
+                    {}};
   for (const ModeSeries& one : series) {
     table.rows.push_back(ReportRow(fmt::format("{}, s = {}", one.known.name, one.known.stabilisation), {1, true})
                              .defaults(one.errors.back().flux)

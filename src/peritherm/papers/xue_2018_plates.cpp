@@ -37,8 +37,7 @@ std::vector<PlateSeries> plate_series_2018(PaperRuns& runs) {
   for (const auto& known : xue_2018_values::plates) {
     const LayersOf2018& layers = layers_of_2018(std::string(known.name));
     const double wave_number = known.wave ? wave_number_2018 : 0.0;
-    series.push_back(
-        {known, mode_of_2018(layers, wave_number, plate_guess_2018(layers.name, known.wave, layers)), {}});
+    series.push_back({known, mode_of_2018(layers, wave_number, plate_guess_2018(layers.name, known.wave, layers)), {}});
     for (const int n : cells) {
       Problem problem = problem_of_2018({layers, n, plate_ratio_2018, known.stabilisation, 2});
       start_in(problem, series.back().mode, wave_number);
@@ -168,10 +167,9 @@ ReportPicture plate_picture_2018(const DrivenPlate2018& plate, const ContactRun&
     chart.curves.push_back(std::move(dots));
     chart.curves.push_back(std::move(line));
   }
-  return save_paper_chart(chart, fmt::format("2018_plate_{}", plate.name.substr(0, plate.name.find(' '))),
-                          fmt::format("Case {}: both sides of the contact, computed (dots) and exact (lines).",
-                                      plate.name),
-                          runs);
+  return save_paper_chart(
+      chart, fmt::format("2018_plate_{}", plate.name.substr(0, plate.name.find(' '))),
+      fmt::format("Case {}: both sides of the contact, computed (dots) and exact (lines).", plate.name), runs);
 }
 
 ContactTask horizon_task_2018(int cells, double ratio) {
@@ -241,7 +239,8 @@ ReportSection plates_section_2018(PaperRuns& runs) {
   const std::vector<ContactRun> driven = march_contacts(runs, tasks);
   ReportSection section;
   section.blocks.push_back(ReportText{
-      "Two squares of 0.5 side by side, insulated below and above. Modes go along y like cos κy. Driven plates are held "
+      "Two squares of 0.5 side by side, insulated below and above. Modes go along y like cos κy. Driven plates are "
+      "held "
       "at x = 0 at the ramp times (1 + cos 2πy)/2; their exact temperature is half the sum of two slabs'. Without the "
       "correction of the gradient at corners the flux through the contact would be 15 % off on every grid, as the "
       "prototype measured."});
@@ -284,10 +283,12 @@ ReportSection horizon_section_2018(PaperRuns& runs) {
                              .below("|order - 2|", std::abs(order - 2.0), 0.3));
   }
   ReportSection section;
-  section.blocks.push_back(ReportText{
-      "The paper shows the influence of the horizon on the temperature in two dimensions. Against the local solution it "
-      "is of second order: at a fixed number of spacings the error falls with the square of the horizon, and at a fixed "
-      "horizon finer grids keep it, since it is the nonlocal equation's own."});
+  section.blocks.push_back(
+      ReportText{"The paper shows the influence of the horizon on the temperature in two dimensions. Against the local "
+                 "solution it "
+                 "is of second order: at a fixed number of spacings the error falls with the square of the horizon, "
+                 "and at a fixed "
+                 "horizon finer grids keep it, since it is the nonlocal equation's own."});
   section.blocks.push_back(horizon_picture_2018(grids, errors, runs));
   section.blocks.push_back(std::move(table));
   if (runs.quick()) section.left_out = "60 points per layer, and 40 with two spacings.";

@@ -63,7 +63,8 @@ ReportTable ramp_table_2018(const std::vector<ContactRun>& computed) {
 }
 
 ReportTable system_table_2018(const std::vector<ContactRun>& computed) {
-  ReportTable table{"The systems: largest constraint residual after any step", {}, {"index", "rows", "relaxing fluxes"}};
+  ReportTable table{
+      "The systems: largest constraint residual after any step", {}, {"index", "rows", "relaxing fluxes"}};
   for (std::size_t k = 0; k < computed.size(); ++k) {
     const ContactRun& run = computed[k];
     ReportRow row(fmt::format("{}, t = {}", xue_2018_values::ramps[k].name, xue_2018_values::ramps[k].time), {1, true});
@@ -130,21 +131,22 @@ ContactTask step_task_2018(int cells, const LayersOf2018& layers) {
 }
 
 void add_step_rows_2018(ReportTable& table, const LayersOf2018& layers, int cells, const ContactRun& run) {
-  const LayeredSlab slab({{0.5, layers.first.conductivity, layers.first.heat_capacity, 0.0},
-                          {0.5, layers.second.conductivity, layers.second.heat_capacity, 0.0, layers.second.resistance}},
-                         1.0, 0.0);
+  const LayeredSlab slab(
+      {{0.5, layers.first.conductivity, layers.first.heat_capacity, 0.0},
+       {0.5, layers.second.conductivity, layers.second.heat_capacity, 0.0, layers.second.resistance}},
+      1.0, 0.0);
   for (std::size_t time = 0; time < run.times.size(); ++time) {
     const double t = run.times[time];
     const std::array<double, 5> found = ramp_values_2018(run, time);
     const std::array<double, 4> exact{slab.temperature(0.25, t), slab.temperature_in(0, 0.5, t),
                                       slab.temperature_in(1, 0.5, t), slab.temperature(0.75, t)};
     for (std::size_t k = 0; k < 4; ++k) {
-      table.rows.push_back(ReportRow(fmt::format("{}, {} points per layer, t = {}: {}", layers.name, cells, t,
-                                                 ramp_quantities_2018[k]),
-                                     {8, false})
-                               .defaults(found[k])
-                               .exact(exact[k])
-                               .near(ValueKind::defaults, ValueKind::exact, step_limit_2018(cells)));
+      table.rows.push_back(
+          ReportRow(fmt::format("{}, {} points per layer, t = {}: {}", layers.name, cells, t, ramp_quantities_2018[k]),
+                    {8, false})
+              .defaults(found[k])
+              .exact(exact[k])
+              .near(ValueKind::defaults, ValueKind::exact, step_limit_2018(cells)));
     }
   }
 }
@@ -162,11 +164,14 @@ ReportSection ramps_section_2018(PaperRuns& runs) {
   const std::vector<ContactRun> profiles(computed.begin() + static_cast<std::ptrdiff_t>(first_profile), computed.end());
   computed.resize(first_profile);
   ReportSection section;
-  section.blocks.push_back(ReportText{
-      "T(0, t) = 1 - (1 + z + z²/2) e^{-z}, z = t/t_r, begins with slope and curvature 0, so that nothing has to be said "
-      "about start steps; t_r = 0.05, in case III 0.1. The exact values come from the impedances of the layers, inverted "
-      "by a Fourier series. T(.75) of case III at t = 0.5 lies ahead of the front and is exactly 0: what is below 0 there "
-      "is the stabilisation's, and reported."});
+  section.blocks.push_back(
+      ReportText{"T(0, t) = 1 - (1 + z + z²/2) e^{-z}, z = t/t_r, begins with slope and curvature 0, so that nothing "
+                 "has to be said "
+                 "about start steps; t_r = 0.05, in case III 0.1. The exact values come from the impedances of the "
+                 "layers, inverted "
+                 "by a Fourier series. T(.75) of case III at t = 0.5 lies ahead of the front and is exactly 0: what is "
+                 "below 0 there "
+                 "is the stabilisation's, and reported."});
   for (std::size_t k = 0; k < profiles.size(); ++k) {
     section.blocks.push_back(profile_picture_2018(layers_of_2018()[k], profiles[k], runs));
   }
