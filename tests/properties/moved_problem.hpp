@@ -131,6 +131,10 @@ inline Problem in_units(const Problem& problem, const Units& units) {
     if (crack.tip_speed) *crack.tip_speed *= units.length / units.time();
     crack.start_time *= units.time();
   }
+  for (ContactOptions& contact : scaled.contacts) {
+    auto& resistance = std::get<ContactResistance>(contact.law).value;
+    resistance = std::get<double>(resistance.value) * units.length / units.conductivity;
+  }
   for (auto& [name, material] : scaled.materials) {
     material.conductivity *= units.conductivity;
     material.specific_heat *= units.capacity;

@@ -61,6 +61,7 @@ class BodyDraw {
     draw_materials();
     const int regions = draw(0, 3);
     for (int k = 0; k < regions; ++k) draw_region();
+    if (draw_chance(40)) draw_contacts();
     for (int face = 0; face < 2 * dimension_; ++face) draw_face(static_cast<Face>(face));
     if (draw_chance(25)) draw_selection();
     const int cracks = draw(0, 3);
@@ -163,6 +164,24 @@ class BodyDraw {
     problem_.body.regions.push_back(region);
     // A shape that happens to cover no point is no valid region.
     if (!find_faults(problem_).empty()) problem_.body.regions.pop_back();
+  }
+
+  /// Between materials, and between the last region and what it is made of or lies in.
+  void draw_contacts() {
+    // The only rule that looks at what lies along a bond.
+    problem_.nonlocality.interface = InterfaceRule::length_weighted_harmonic;
+    if (!problem_.body.regions.empty() && draw_chance(50)) {
+      BodyRegion& last = problem_.body.regions.back();
+      last.name = "last";
+      if (last.material != "void" && draw_chance(50)) last.material = "first";
+    }
+    const double unit = spacing_ / problem_.materials["first"].conductivity;
+    for (const auto& pair : {std::pair{"last", "first"}, {"first", "second"}, {"second", "third"}, {"last", "third"}}) {
+      if (draw_chance(40)) continue;
+      problem_.contacts.push_back(
+          {{pair.first, pair.second}, ContactResistance{unit * std::exp(draw_real(-3.0, 3.0))}});
+      if (!find_faults(problem_).empty()) problem_.contacts.pop_back();
+    }
   }
 
   Profile draw_value() {

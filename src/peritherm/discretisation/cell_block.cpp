@@ -43,8 +43,10 @@ class CellSorter {
       const CornerHeights heights = heights_at_corners(layer->shape, block_.grid, block_.grid.index(cell));
       // All corners on one surface: what is one cell thick has both sides there.
       const bool flat = heights.inside() && heights.outside();
-      if (flat ? height_above(layer->shape, centre) < 0.0 : heights.inside()) at_corners = layer->kind;
-      cut = cut || (!heights.inside() && !heights.outside());
+      const bool inside = flat ? height_above(layer->shape, centre) < 0.0 : heights.inside();
+      if (inside) at_corners = layer->kind;
+      // What is inside hides the surfaces of earlier layers.
+      cut = !inside && (cut || !heights.outside());
     }
     if (cut) return mark_cut(cell);
     if (at_corners != block_.kind_of[cell]) report(cell, at_corners, centre);

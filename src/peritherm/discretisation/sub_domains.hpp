@@ -76,6 +76,18 @@ struct DividedBody {
 /// (neighbours by faces of cells). Surfaces along cells are kept exactly, one surface point per face of a cell; others
 /// are planar inside each cell, with areas and volumes to second order.
 /// Throws Error with all issues: regions without points or with less than a cell, own grids and rings that do not fit.
+///
+/// A region with another spacing than the body's is a box with a grid of its own, whose sides are along the cells of
+/// what it overwrites; surface points between two grids are those of the coarser one. Rings are concentric balls in 2-D
+/// with nothing around them; the first is the largest.
 DividedBody divide_body(const Grid& grid, const PartBackground& background, const std::vector<PartRegion>& regions);
+
+/// A part too thin for its horizon, so that layers below opposite surfaces overlap.
+struct ThinPart {
+  std::size_t part = 0;
+  double thickness = 0.0;  ///< across its widest place, to a spacing [m]
+  double needed = 0.0;     ///< four horizons in 1-D, else two [m]
+};
+std::vector<ThinPart> find_thin_parts(const DividedBody& body);
 
 }  // namespace peritherm

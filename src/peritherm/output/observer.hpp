@@ -48,9 +48,9 @@ struct Snapshot {
   std::vector<std::vector<Point>> cracks;
   double stored_heat = 0.0;  ///< Σ C T over the free points [J]
   std::vector<HeatAccount> accounts;
-  std::vector<InterfaceValues> interfaces;  ///< none in a body of one field
+  std::vector<InterfaceValues> interfaces = {};  ///< none in a body of one field
   /// Where temperatures are more than what lies between points of the grid; else empty.
-  std::function<double(const Point& place)> temperature_at;
+  std::function<double(const Point& place)> temperature_at = {};
 };
 
 class Observer {

@@ -26,8 +26,9 @@ Paper bobaru_2010();
 Paper bobaru_2012();
 Paper mei_2021();
 Paper galadima();
+Paper xue_2018();
 
 /// The list: a new paper adds its function here.
-inline std::vector<Paper> all_papers() { return {bobaru_2010(), bobaru_2012(), mei_2021(), galadima()}; }
+inline std::vector<Paper> all_papers() { return {bobaru_2010(), bobaru_2012(), mei_2021(), galadima(), xue_2018()}; }
 
 }  // namespace peritherm

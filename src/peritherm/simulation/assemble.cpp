@@ -292,6 +292,7 @@ Geometry make_geometry(const Problem& given) {
   const MaterialTable table = make_material_table(problem);
   body.materials = table.materials;
   geometry.material_names = table.names;
+  body.contacts = make_material_contacts(problem, table);
   body.background = table.background;
   for (std::size_t r = 0; r < table.of_region.size(); ++r)
     body.regions.push_back({problem.body.regions[r].shape, table.of_region[r]});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "peritherm/base/error.hpp"
+
 namespace peritherm {
 namespace {
 
@@ -18,6 +20,19 @@ MaterialIndex index_of(const std::vector<std::string>& names, const std::string&
 
 bool holds(const std::vector<MaterialIndex>& entries, MaterialIndex entry) {
   return std::find(entries.begin(), entries.end(), entry) != entries.end();
+}
+
+double number_in(const Profile& value) {
+  if (value.is_number()) return std::get<double>(value.value);
+  throw Error("contact: bonds keep one resistance everywhere and for the whole run",
+              "Give a number, or choose nonlocality.model = \"two_field\"");
+}
+
+/// R [m² K/W].
+double constant_resistance(const ContactLaw& law) {
+  if (const auto* resistance = std::get_if<ContactResistance>(&law)) return number_in(resistance->value);
+  if (const auto* conductance = std::get_if<ContactConductance>(&law)) return 1.0 / number_in(conductance->value);
+  return 0.0;
 }
 
 }  // namespace
@@ -66,6 +81,20 @@ int contact_between(const Problem& problem, const MaterialTable& table, Material
     if (along || (holds(one, second) && holds(other, first))) return static_cast<int>(c);
   }
   return -1;
+}
+
+std::vector<MaterialContact> make_material_contacts(const Problem& problem, const MaterialTable& table) {
+  std::vector<MaterialContact> contacts;
+  for (std::size_t second = 1; second < table.materials.size(); ++second) {
+    for (std::size_t first = 0; first < second; ++first) {
+      const auto a = static_cast<MaterialIndex>(first), b = static_cast<MaterialIndex>(second);
+      const int contact = contact_between(problem, table, a, b);
+      if (contact < 0) continue;
+      const double resistance = constant_resistance(problem.contacts[static_cast<std::size_t>(contact)].law);
+      if (resistance > 0.0) contacts.push_back({a, b, resistance});
+    }
+  }
+  return contacts;
 }
 
 std::string name_of(const ContactOptions& contact) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "peritherm/discretisation/body.hpp"
 #include "peritherm/simulation/problem.hpp"
 
 namespace peritherm {
@@ -27,6 +28,9 @@ MaterialTable make_material_table(const Problem& problem);
 
 /// Number of the contact between two entries of the table; −1: none was given.
 int contact_between(const Problem& problem, const MaterialTable& table, MaterialIndex first, MaterialIndex second);
+
+/// The contacts of a bond body that resist heat. Throws Error if a resistance depends on place or time.
+std::vector<MaterialContact> make_material_contacts(const Problem& problem, const MaterialTable& table);
 
 /// "film to substrate", or the name that was given.
 std::string name_of(const ContactOptions& contact);

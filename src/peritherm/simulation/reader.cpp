@@ -87,6 +87,131 @@ void Reader::refuse_unknown_key(const std::string& key, const InputLocation& whe
   issues_.push_back({where, other == known.of_other_types.end() ? "unknown option" : "does not belong here", hint});
 }
 
+void Reader::read_struct(const toml::table& table, const std::string& path, const StructKind& kind, void* target) {
+  KnownKeys known;
+  read_options(table, path, kind, target, known);
+  refuse_unknown_keys(table, path, known);
+}
+
+void Reader::read_options(const toml::table& table, const std::string& path, const StructKind& kind, void* target,
+                          KnownKeys& known) {
+  for (const OptionKind& option : kind.options) read_option(table, path, option, target, known);
+}
+
+void Reader::read_option(const toml::table& table, const std::string& path, const OptionKind& option, void* owner,
+                         KnownKeys& known) {
+  void* const target = value_in(owner, option);
+  if (option.is_choice_beside()) return read_choice(table, path, *option.value, target, option.required, known);
+  const std::string key(option.key);
+  known.keys.push_back(key);
+  if (const toml::node* node = table.get(key)) {
+    read_value(*node, join_path(path, key), Rule{option.unit, option.check}, *option.value, target);
+  } else if (option.required) {
+    const std::string unit = option.unit.empty() ? "" : " [" + std::string(option.unit) + "]";
+    add(join_path(path, key), "is missing", "Needed: " + std::string(option.help) + unit);
+  }
+}
+
+void Reader::read_choice(const toml::table& table, const std::string& path, const ValueKind& kind, void* target,
+                         bool required, KnownKeys& known) {
+  known.keys.emplace_back("type");
+  const toml::node* node = table.get("type");
+  std::string type;
+  if (node != nullptr) read_text(*node, join_path(path, "type"), type);
+  bool found = false;
+  for (std::size_t i = 0; i < kind.structs.size(); ++i) {
+    const StructKind& alternative = *kind.structs[i];
+    if (type == alternative.name) {
+      read_options(table, path, alternative, kind.make(target, i), known);
+      found = true;
+      continue;
+    }
+    for (const OptionKind& option : alternative.options)
+      known.of_other_types[std::string(option.key)].emplace_back(alternative.name);
+  }
+  if (node == nullptr && required) add(join_path(path, "type"), "is missing", "Choose one of: " + join(kind.names));
+  if (node != nullptr && node->is_string() && !found) refuse_choice(join_path(path, "type"), "type", type, kind.names);
+  // Without a type nobody knows which keys belong there.
+  if (!found) {
+    for (const auto& [key, owners] : known.of_other_types) known.keys.push_back(key);
+  }
+}
+
+void Reader::read_value(const toml::node& node, const std::string& path, const Rule& rule, const ValueKind& kind,
+                        void* target) {
+  switch (kind.form) {
+    case ValueForm::optional:
+      return read_value(node, path, rule, *kind.inner, kind.make(target, 0));
+    case ValueForm::list:
+      return read_list(node, path, rule, kind, target);
+    case ValueForm::named_tables:
+      return read_named_tables(node, path, kind, target);
+    case ValueForm::choice:
+      return with_table(node, path, true, [this, &path, &kind, target](const toml::table& table) {
+        KnownKeys known;
+        read_choice(table, path, kind, target, true, known);
+        refuse_unknown_keys(table, path, known);
+      });
+    case ValueForm::table:
+      return with_table(node, path, kind.structs.front()->has_type,
+                        [this, &path, &kind, target](const toml::table& table) {
+                          read_struct(table, path, *kind.structs[0], target);
+                        });
+    default:
+      read_scalar(node, path, rule, kind, target);
+  }
+}
+
+void Reader::read_scalar(const toml::node& node, const std::string& path, const Rule& rule, const ValueKind& kind,
+                         void* target) {
+  switch (kind.form) {
+    case ValueForm::word:
+      return read_word(node, path, kind, target);
+    case ValueForm::profile:
+      return read_profile(node, path, rule, *static_cast<Profile*>(target));
+    case ValueForm::number:
+      return read_number(node, path, rule, *static_cast<double*>(target));
+    case ValueForm::whole_number:
+      return read_whole_number(node, path, rule, *static_cast<int*>(target));
+    case ValueForm::flag:
+      return read_bool(node, path, *static_cast<bool*>(target));
+    default:
+      read_text(node, path, *static_cast<std::string*>(target));
+  }
+}
+
+void Reader::read_word(const toml::node& node, const std::string& path, const ValueKind& kind, void* target) {
+  if (!node.is_string()) return refuse_kind(node, path, "a text", "Choose one of: " + join(kind.names));
+  const std::string text = node.ref<std::string>();
+  const auto found = std::find(kind.names.begin(), kind.names.end(), text);
+  if (found == kind.names.end()) return refuse_choice(path, "choice", text, kind.names);
+  kind.make(target, static_cast<std::size_t>(found - kind.names.begin()));
+}
+
+void Reader::read_list(const toml::node& node, const std::string& path, const Rule& rule, const ValueKind& kind,
+                       void* target) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) {
+    const bool tables = kind.inner->form == ValueForm::table;
+    const std::string key = path.substr(path.rfind('.') + 1);
+    return refuse_kind(node, path, tables ? "a list of tables" : "a list",
+                       tables ? "Write [[" + key + "]]" : "Write [ … ] around it");
+  }
+  kind.make(target, array->size());
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    read_value(*array->get(i), join_path(path, i), rule, *kind.inner, kind.entry(target, i));
+  }
+}
+
+void Reader::read_named_tables(const toml::node& node, const std::string& path, const ValueKind& kind, void* target) {
+  const toml::table* tables = node.as_table();
+  if (tables == nullptr) return refuse_kind(node, path, "a table of tables", "Write [" + path + ".NAME]");
+  for (const auto& [key, value] : *tables) {
+    const std::string name(key.str());
+    read_value(value, join_path(path, name), Rule{"", any_number}, *kind.inner, kind.make_named(target, name));
+  }
+}
+
 bool Reader::admissible(double value, const std::string& path, const Rule& rule) {
   const bool holds = std::isfinite(value) && rule.check.holds(value);
   if (!holds) {

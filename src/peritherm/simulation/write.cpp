@@ -5,79 +5,63 @@
 namespace peritherm {
 namespace {
 
+const ValueKind& held_kind(const ValueKind& kind) { return kind.form == ValueForm::optional ? *kind.inner : kind; }
+
+bool is_list_of_structs(const ValueKind& kind) {
+  return kind.form == ValueForm::list && kind.inner->form == ValueForm::table;
+}
+
 /// Tables of their own lines: structs and maps at the top, and lists of structs anywhere.
-template <class Value>
-constexpr bool has_own_lines(bool top) {
-  if constexpr (is_list_of_tables<Value>) return true;
-  return top && (is_table<Value> || is_named_tables<Value>);
+bool has_own_lines(const ValueKind& kind, bool top) {
+  if (is_list_of_structs(kind)) return true;
+  return top && (kind.form == ValueForm::named_tables || held_kind(kind).form == ValueForm::table);
 }
 
 class Writer {
  public:
-  template <Described T>
-  void write(const T& owner, const std::string& path) {
-    write_values(owner, path.empty());
-    for_each_option<T>([this, &owner, &path]<class Value>(const Option<T, Value>& option) {
-      if constexpr (has_own_lines<Value>(true)) {
-        if (!has_own_lines<Value>(path.empty())) return;
-        const std::string key = (path.empty() ? "" : path + '.') + std::string(option.key);
-        write_tables(owner.*option.member, key);
-      }
-    });
+  void write(const StructKind& kind, const void* owner, const std::string& path) {
+    const bool top = path.empty();
+    write_values(kind, owner, top);
+    for (const OptionKind& option : kind.options) {
+      if (!has_own_lines(*option.value, top)) continue;
+      write_tables(*option.value, value_in(owner, option), (top ? "" : path + '.') + std::string(option.key));
+    }
   }
 
   const std::string& text() const { return text_; }
 
  private:
   /// Options of one line each; they must precede the tables inside.
-  template <Described T>
-  void write_values(const T& owner, bool top) {
-    const auto write_line = [this](std::string_view key, const std::string& value) {
-      text_ += std::string(key) + " = " + value + '\n';
-    };
-    for_each_option<T>([&owner, &write_line, top]<class Value>(const Option<T, Value>& option) {
-      if constexpr (is_choice<Value>) {
-        if (option.key.empty()) return write_choice(owner.*option.member, write_line);
+  void write_values(const StructKind& kind, const void* owner, bool top) {
+    TomlEntries entries;
+    for (const OptionKind& option : kind.options) {
+      const void* const value = value_in(owner, option);
+      if (option.is_choice_beside()) {
+        append_chosen_entries(*option.value, value, entries);
+      } else if (!has_own_lines(*option.value, top) && option.value->form != ValueForm::named_tables &&
+                 !is_left_out(option, kind, owner)) {
+        entries.emplace_back(option.key, toml_value(*option.value, value));
       }
-      if constexpr (!is_list_of_tables<Value> && !is_named_tables<Value>) {
-        if (has_own_lines<Value>(top) || is_left_out(option, owner)) return;
-        write_line(option.key, toml_value(owner.*option.member));
+    }
+    for (const auto& [key, value] : entries) text_ += key + " = " + value + '\n';
+  }
+
+  void write_tables(const ValueKind& kind, const void* value, const std::string& key) {
+    if (kind.form == ValueForm::table) {
+      text_ += "\n[" + key + "]\n";
+      return write(*kind.structs.front(), value, key);
+    }
+    const std::size_t count = kind.count(value);
+    if (count == 0 && kind.form == ValueForm::named_tables) text_ += "\n[" + key + "]\n";
+    for (std::size_t i = 0; i < count; ++i) {
+      const void* const part = kind.part(value, i);
+      if (kind.form == ValueForm::list) {
+        text_ += "\n[[" + key + "]]\n";
+        write(*kind.inner->structs.front(), part, key);
+      } else {
+        const bool named = kind.form == ValueForm::named_tables;
+        write_tables(*kind.inner, part, named ? key + '.' + toml_key(kind.name_of_part(value, i)) : key);
       }
-    });
-  }
-
-  template <class Choice, class WriteLine>
-  static void write_choice(const Choice& choice, const WriteLine& write_line) {
-    std::visit(
-        [&write_line]<class Chosen>(const Chosen& chosen) {
-          write_line("type", toml_string(Chosen::name));
-          for_each_toml_entry(chosen, write_line);
-        },
-        choice);
-  }
-
-  template <Described T>
-  void write_tables(const T& table, const std::string& key) {
-    text_ += "\n[" + key + "]\n";
-    write(table, key);
-  }
-
-  template <Described T>
-  void write_tables(const std::optional<T>& table, const std::string& key) {
-    if (table) write_tables(*table, key);
-  }
-
-  template <Described T>
-  void write_tables(const std::map<std::string, T>& tables, const std::string& key) {
-    if (tables.empty()) text_ += "\n[" + key + "]\n";
-    for (const auto& [name, table] : tables) write_tables(table, key + '.' + toml_key(name));
-  }
-
-  template <Described T>
-  void write_tables(const std::vector<T>& tables, const std::string& key) {
-    for (const T& table : tables) {
-      text_ += "\n[[" + key + "]]\n";
-      write(table, key);
     }
   }
 
@@ -88,7 +72,8 @@ class Writer {
 
 std::string write_problem(const Problem& problem) {
   Writer writer;
-  writer.write(resolved(problem), "");
+  const Problem all = resolved(problem);
+  writer.write(struct_kind<Problem>(), &all, "");
   return writer.text();
 }
 

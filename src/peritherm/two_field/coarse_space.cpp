@@ -10,9 +10,9 @@ namespace peritherm {
 namespace {
 
 /// A row's sum of entries, column by column.
-class RowSum {
+class EntrySum {
  public:
-  explicit RowSum(std::size_t columns) : values_(columns, 0.0), seen_(columns, 0) {}
+  explicit EntrySum(std::size_t columns) : values_(columns, 0.0), seen_(columns, 0) {}
 
   void add(PointIndex column, double value) {
     if (!std::exchange(seen_[column], char{1})) columns_.push_back(column);
@@ -74,7 +74,7 @@ SparseMatrix bin_matrix(const StageMatrix& matrix, const Bins& bins) {
   const auto points = points_of_bins(bins);
   SparseMatrix result;
   result.columns = bins.count;
-  RowSum row(bins.count);
+  EntrySum row(bins.count);
   std::vector<PointIndex> columns;
   std::vector<double> values;
   std::size_t part = 0;
@@ -95,7 +95,7 @@ SparseMatrix bin_contacts(const TwoFieldSystem& system, const Bins& bins) {
   const SparseMatrix& contacts = system.contacts().matrix();
   SparseMatrix result;
   result.columns = bins.count;
-  RowSum row(bins.count);
+  EntrySum row(bins.count);
   for (std::size_t r = 0; r < contacts.rows(); ++r) {
     for (std::int64_t k = contacts.begin[r]; k < contacts.begin[r + 1]; ++k) {
       row.add(bins.bin_of[contacts.column_of[k]], contacts.values[k]);
@@ -114,7 +114,7 @@ SparseMatrix add_contacts(const SparseMatrix& matrix, const SparseMatrix& contac
   }
   SparseMatrix result;
   result.columns = matrix.columns;
-  RowSum row(matrix.columns);
+  EntrySum row(matrix.columns);
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     for (std::int64_t k = matrix.begin[i]; k < matrix.begin[i + 1]; ++k) row.add(matrix.column_of[k], matrix.values[k]);
     for (const auto& [r, own] : rows_of[i]) {

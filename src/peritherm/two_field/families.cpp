@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "peritherm/discretisation/neighbours.hpp"
+#include "peritherm/two_field/place_numbers.hpp"
 
 namespace peritherm {
 namespace {
@@ -21,48 +22,6 @@ std::optional<double> bond_weight(const Kernel& kernel, double distance, double 
   if (form <= least_shape) return std::nullopt;
   return form / std::pow(distance, kernel.exponent);
 }
-
-/// Numbers of the points of a lattice by their places, with a margin of empty places around them.
-class PlaceNumbers {
- public:
-  PlaceNumbers(const std::vector<GridIndex>& places, int margin) {
-    lower_ = upper_ = places.front();
-    for (const GridIndex& place : places) {
-      for (int axis = 0; axis < 3; ++axis) {
-        lower_[axis] = std::min(lower_[axis], place[axis]);
-        upper_[axis] = std::max(upper_[axis], place[axis]);
-      }
-    }
-    std::size_t count = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (upper_[axis] > lower_[axis]) {
-        lower_[axis] -= margin;
-        upper_[axis] += margin;
-      }
-      strides_[axis] = static_cast<std::ptrdiff_t>(count);
-      count *= static_cast<std::size_t>(upper_[axis] - lower_[axis] + 1);
-    }
-    numbers_.assign(count, -1);
-    for (std::size_t i = 0; i < places.size(); ++i) numbers_[entry(places[i])] = static_cast<PointIndex>(i);
-  }
-  std::size_t entry(const GridIndex& place) const {
-    std::ptrdiff_t sum = 0;
-    for (int axis = 0; axis < 3; ++axis) sum += (place[axis] - lower_[axis]) * strides_[axis];
-    return static_cast<std::size_t>(sum);
-  }
-  /// −1 where no point stands. `offset` must be within the margin.
-  PointIndex at(const GridIndex& place, const GridIndex& offset) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (upper_[axis] == lower_[axis] && offset[axis] != 0) return -1;
-    }
-    return numbers_[entry({place[0] + offset[0], place[1] + offset[1], place[2] + offset[2]})];
-  }
-
- private:
-  GridIndex lower_{}, upper_{};
-  std::array<std::ptrdiff_t, 3> strides_{};
-  std::vector<PointIndex> numbers_;
-};
 
 /// Offsets within the horizon in the order of the points' numbers, x fastest.
 std::vector<GridIndex> lattice_offsets(int dimension, int reach, double limit) {
@@ -111,14 +70,20 @@ void Families::find_on_lattice(int dimension, const SubDomain& part, const Kerne
     offsets_.push_back(bond);
   }
   const PlaceNumbers numbers(part.places, reach);
+  std::vector<std::pair<PointIndex, std::uint16_t>> family;
   points_.reserve(part.size() * offsets.size());
   offset_of_.reserve(part.size() * offsets.size());
   for (const GridIndex& place : part.places) {
+    family.clear();
     for (std::size_t k = 0; k < offsets.size(); ++k) {
       const PointIndex neighbour = numbers.at(place, offsets[k]);
-      if (neighbour < 0) continue;
+      if (neighbour >= 0) family.emplace_back(neighbour, static_cast<std::uint16_t>(k));
+    }
+    // Nothing to do where points are numbered with x fastest.
+    std::sort(family.begin(), family.end());
+    for (const auto& [neighbour, offset] : family) {
       points_.push_back(neighbour);
-      offset_of_.push_back(static_cast<std::uint16_t>(k));
+      offset_of_.push_back(offset);
     }
     begin_.push_back(static_cast<BondIndex>(points_.size()));
   }

@@ -27,6 +27,7 @@ class Families {
   }
   /// To the k-th neighbour.
   Bond bond(std::size_t i, std::size_t k) const;
+  std::span<const Bond> lattice_bonds() const { return offsets_; }
   /// Which of the lattice's bonds the k-th is.
   std::uint16_t offset(std::size_t i, std::size_t k) const {
     return offset_of_[static_cast<std::size_t>(begin_[i]) + k];

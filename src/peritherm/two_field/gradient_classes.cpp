@@ -10,32 +10,6 @@
 namespace peritherm {
 namespace {
 
-/// Below this the determinant of a shape tensor of trace 1 tells that neighbours stand in a row or a plane.
-constexpr double least_determinant = 1e-6;
-
-/// Unused directions count as if they were far from everything: their row of the inverse stays 0.
-struct Inverse {
-  Tensor inverse{};
-  double determinant = 0.0;  ///< of the tensor over its trace
-};
-
-Inverse invert(Tensor tensor, int dimension) {
-  const double size = trace(tensor);
-  for (int axis = dimension; axis < 3; ++axis) tensor[axis][axis] = size;
-  const auto minor = [&](int a, int b) {
-    const int r = (a + 1) % 3, s = (a + 2) % 3, t = (b + 1) % 3, u = (b + 2) % 3;
-    return tensor[r][t] * tensor[s][u] - tensor[r][u] * tensor[s][t];
-  };
-  const double determinant = tensor[0][0] * minor(0, 0) + tensor[0][1] * minor(0, 1) + tensor[0][2] * minor(0, 2);
-  Inverse result;
-  result.determinant = size > 0.0 ? determinant / (size * size * size) : 0.0;
-  if (result.determinant < least_determinant) return result;
-  for (int a = 0; a < dimension; ++a) {
-    for (int b = 0; b < dimension; ++b) result.inverse[a][b] = minor(b, a) / determinant;
-  }
-  return result;
-}
-
 PointClasses classify_families(const SubDomain& part, const Families& families) {
   if (!families.on_lattice()) {
     PointClasses all;
@@ -94,8 +68,8 @@ void GradientClasses::append_row(const SubDomain& part, const Families& families
       }
     }
   }
-  const Inverse inverse = invert(shape_tensor, dimension_);
-  if (inverse.determinant < least_determinant) throw too_few_neighbours(part, i, family.size());
+  const InvertedTensor inverse = invert(shape_tensor, dimension_);
+  if (inverse.is_singular) throw too_few_neighbours(part, i, family.size());
   const double share = trace(inverse.inverse) / dimension_;
   Entry self{};
   std::vector<Entry> row;

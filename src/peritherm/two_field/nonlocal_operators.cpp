@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "peritherm/two_field/conduction_rows.hpp"
+#include "peritherm/two_field/green_correction.hpp"
 
 namespace peritherm {
 namespace {
@@ -23,8 +24,10 @@ PatternRows make_gradient_rows(const GradientClasses& gradient, int axis) {
 NonlocalOperators::NonlocalOperators(int dimension, const SubDomain& part, const std::vector<SurfacePoint>& surface,
                                      const Kernel& kernel)
     : dimension_(dimension), volumes_(part.volumes), positions_(part.positions), horizon_(part.horizon) {
-  auto classes = std::make_shared<GradientClasses>(dimension, part, Families(dimension, part, kernel));
-  traces_ = make_traces(part, surface, *classes);
+  const Families families(dimension, part, kernel);
+  auto classes = std::make_shared<GradientClasses>(dimension, part, families);
+  traces_ = make_traces(part, surface, families, *classes);
+  if (dimension > 1) classes->correct(find_green_correction(part, surface, traces_, families, *classes));
   classes_ = classes;
   surroundings_ = std::make_shared<PointClasses>(classify_surroundings(*classes));
   for (int axis = 0; axis < dimension; ++axis) {

@@ -13,7 +13,7 @@ namespace {
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int32_t>;
 
 /// Of a row's diagonal: a pivot below is rounding, and the row a sum of others.
-constexpr double least_pivot = 1e-10;
+constexpr double least_independence = 1e-10;
 constexpr double diagonal_share = 1e-14;  ///< added, so that a factorisation ends at dependent rows as well
 constexpr std::size_t most_named = 5;
 
@@ -64,7 +64,7 @@ RowSolver::RowSolver(const SparseMatrix& matrix, const std::vector<std::size_t>&
   const Eigen::VectorXd pivots = factor.vectorD();
   const auto& order = factor.permutationP().indices();
   for (Eigen::Index n = 0; n < scaled.rows(); ++n) {
-    if (!(pivots[order[n]] > least_pivot)) guilty.push_back(chosen[static_cast<std::size_t>(n)]);
+    if (!(pivots[order[n]] > least_independence)) guilty.push_back(chosen[static_cast<std::size_t>(n)]);
   }
   if (!guilty.empty()) throw dependent_rows(guilty, rows);
   factor.compute(lower);

@@ -21,6 +21,30 @@ inline Point product(const Tensor& tensor, const Point& vector) {
 
 inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+struct InvertedTensor {
+  Tensor inverse{};
+  bool is_singular = true;  ///< to working accuracy; then the inverse is 0
+};
+/// Of the part within the first directions.
+inline InvertedTensor invert(Tensor tensor, int dimension) {
+  const double size = trace(tensor);
+  for (int axis = dimension; axis < 3; ++axis) tensor[axis][axis] = size;
+  const auto cofactor = [&](int a, int b) {
+    const int r = (a + 1) % 3, s = (a + 2) % 3, t = (b + 1) % 3, u = (b + 2) % 3;
+    return tensor[r][t] * tensor[s][u] - tensor[r][u] * tensor[s][t];
+  };
+  const double determinant =
+      tensor[0][0] * cofactor(0, 0) + tensor[0][1] * cofactor(0, 1) + tensor[0][2] * cofactor(0, 2);
+  constexpr double least_determinant = 1e-6;  // Of trace 1. Points in a row or a plane have 0.
+  InvertedTensor result;
+  result.is_singular = !(determinant > least_determinant * size * size * size);
+  if (result.is_singular) return result;
+  for (int a = 0; a < dimension; ++a) {
+    for (int b = 0; b < dimension; ++b) result.inverse[a][b] = cofactor(b, a) / determinant;
+  }
+  return result;
+}
+
 /// The same conductivity in every direction.
 inline Tensor isotropic_tensor(int dimension, double value) {
   Tensor result{};

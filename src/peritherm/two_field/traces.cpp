@@ -8,6 +8,7 @@
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/discretisation/neighbours.hpp"
+#include "peritherm/two_field/face_traces.hpp"
 
 namespace peritherm {
 namespace {
@@ -119,39 +120,54 @@ Neighbours find_points_near(int dimension, const SubDomain& part, std::span<cons
   return result;
 }
 
+/// Fills the traces of these surface points as far as points stand near enough; returns the others.
+std::vector<std::size_t> add_least_squares_traces(int dimension, const SubDomain& part,
+                                                  std::span<const SurfacePoint> surface,
+                                                  const std::vector<std::size_t>& missing, double radius,
+                                                  std::vector<Trace>& traces) {
+  std::vector<SurfacePoint> places;
+  for (const std::size_t p : missing) places.push_back(surface[p]);
+  const Neighbours near = find_points_near(dimension, part, places, radius);
+  std::vector<std::size_t> left;
+  for (std::size_t n = 0; n < missing.size(); ++n) {
+    const auto first = static_cast<std::size_t>(near.row_begin[n]);
+    const auto points = std::span(near.points).subspan(first, static_cast<std::size_t>(near.row_begin[n + 1]) - first);
+    auto trace = least_squares_trace(dimension, part, points, places[n].position, radius);
+    if (trace) {
+      traces[missing[n]] = std::move(*trace);
+    } else {
+      left.push_back(missing[n]);
+    }
+  }
+  return left;
+}
+
 /// In spacings [notes of the method: 2.6]; a half ball of it holds about 11 points of a plate and 37 of a solid.
 constexpr double usual_radius = 2.6;
 constexpr double widest_radius = 6.0;
 
 }  // namespace
 
-std::vector<Trace> make_traces(const SubDomain& part, std::span<const SurfacePoint> surface,
+std::vector<Trace> make_traces(const SubDomain& part, std::span<const SurfacePoint> surface, const Families& families,
                                const GradientClasses& gradient) {
   if (gradient.dimension() == 1) return bar_traces(part, surface, gradient);
   std::vector<Trace> traces(surface.size());
-  std::vector<std::size_t> missing(surface.size());
-  for (std::size_t p = 0; p < surface.size(); ++p) missing[p] = p;
+  std::vector<std::size_t> missing;
+  std::optional<FaceTraces> faces;
+  if (families.on_lattice()) faces.emplace(gradient.dimension(), part, families);
+  for (std::size_t p = 0; p < surface.size(); ++p) {
+    std::optional<Trace> trace = faces ? faces->at(surface[p]) : std::nullopt;
+    if (trace) {
+      traces[p] = std::move(*trace);
+    } else {
+      missing.push_back(p);
+    }
+  }
   for (double reach = usual_radius; !missing.empty(); reach *= 1.25) {
     if (reach > widest_radius) {
       throw no_trace(part, surface[missing.front()].position, "too few points stand near it");
     }
-    std::vector<SurfacePoint> places;
-    for (const std::size_t p : missing) places.push_back(surface[p]);
-    const double radius = reach * part.spacing;
-    const Neighbours near = find_points_near(gradient.dimension(), part, places, radius);
-    std::vector<std::size_t> left;
-    for (std::size_t n = 0; n < missing.size(); ++n) {
-      const auto first = static_cast<std::size_t>(near.row_begin[n]);
-      const auto points =
-          std::span(near.points).subspan(first, static_cast<std::size_t>(near.row_begin[n + 1]) - first);
-      auto trace = least_squares_trace(gradient.dimension(), part, points, places[n].position, radius);
-      if (trace) {
-        traces[missing[n]] = std::move(*trace);
-      } else {
-        left.push_back(missing[n]);
-      }
-    }
-    missing = std::move(left);
+    missing = add_least_squares_traces(gradient.dimension(), part, surface, missing, reach * part.spacing, traces);
   }
   return traces;
 }

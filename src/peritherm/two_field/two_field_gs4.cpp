@@ -18,8 +18,8 @@ constexpr double least_residual = 1e-12;          ///< over the span of temperat
 /// A rate that backward Euler changes more in its first half step than this many times as in its second holds decays
 /// that are faster than the step.
 constexpr double stiff_change = 4.0;
-constexpr double landing_share = 1e-6;  ///< of the time to the first output
-constexpr double first_change = 0.01;   ///< of the span of temperatures, in a first trial step
+constexpr double impulse = 1e-9;       ///< length of a step onto the constraints, over the way to the first time
+constexpr double first_change = 0.01;  ///< of the span of temperatures, in a first trial step
 
 void combine(double a, const std::vector<double>& x, double b, const std::vector<double>& y,
              std::vector<double>& result) {
@@ -118,7 +118,7 @@ void TwoFieldGs4::find_start(double to, TwoFieldState& state) {
   starting_ = options_.start != SingleStepStart::consistent || sequence_.follows_errors();
   knows_rates_ = false;
   if (fault && !sequence_.follows_errors()) return;
-  if (fault) land(to, state);
+  if (fault) meet_constraints(to, state);
   make_consistent(system_, reached_, state);
   corrected_ = {state.temperature_rate, state.flux_rate, state.account_rates};
   if (system_.loads().account_rates) system_.loads().account_rates(reached_, state.multipliers, corrected_.accounts);
@@ -127,8 +127,8 @@ void TwoFieldGs4::find_start(double to, TwoFieldState& state) {
 }
 
 /// Start values that jump come to meet what holds them in no time, whatever the step: the error of that is none.
-void TwoFieldGs4::land(double to, TwoFieldState& state) {
-  const double length = landing_share * (to - reached_);
+void TwoFieldGs4::meet_constraints(double to, TwoFieldState& state) {
+  const double length = impulse * (to - reached_);
   include(reached_, state);
   solve(backward_euler, reached_, length, corrected_, state);
   add_change(state);

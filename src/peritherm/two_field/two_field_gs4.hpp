@@ -36,7 +36,7 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
  private:
   void begin(double to, TwoFieldState& state);
   void find_start(double to, TwoFieldState& state);
-  void land(double to, TwoFieldState& state);
+  void meet_constraints(double to, TwoFieldState& state);
   bool step(TwoFieldState& state);
   bool start_step(TwoFieldState& state);
   void take_start(double half, double error, TwoFieldState& state, const TwoFieldState& trial);
