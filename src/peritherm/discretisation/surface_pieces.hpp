@@ -33,9 +33,9 @@ void append_cell_faces(const CellBlock& block, const Grid& box, std::vector<Surf
 /// The face of the box that a border of a grid lies on, as Face; −1: none.
 int box_face(const Grid& box, const Grid& grid, int axis, bool upper);
 
-/// Merges pieces smaller than about a face of a cell with neighbours between the same parts, preferably of like
-/// direction: surface points much nearer to each other than points make their rows in a system nearly dependent.
-/// Looks at the pieces from number `begin` on, all on this grid. Areas A n are kept.
+/// Merges small pieces with neighbours between the same parts and of like direction until those that are not along
+/// cells are about two spacings wide, and pieces of faces of the box at least most of a face of a cell. Looks at the
+/// pieces from number `begin` on, all on this grid. Areas A n are kept.
 void merge_small_pieces(const Grid& grid, std::size_t begin, std::vector<SurfacePiece>& pieces);
 
 /// Moves pieces by as little as can be, least squares, so that Σ A n = 0 and Σ A n xᵀ = (Σ V) 1 around every part to

@@ -129,8 +129,9 @@ void Reader::read_choice(const toml::table& table, const std::string& path, cons
     for (const OptionKind& option : alternative.options)
       known.of_other_types[std::string(option.key)].emplace_back(alternative.name);
   }
-  if (node == nullptr && required) add(join_path(path, "type"), "is missing", "Choose one of: " + join(kind.names));
-  if (node != nullptr && node->is_string() && !found) refuse_choice(join_path(path, "type"), "type", type, kind.names);
+  if (node == nullptr && required) add(join_path(path, "type"), "is missing", "Choose one of: " + join(kind.names()));
+  if (node != nullptr && node->is_string() && !found)
+    refuse_choice(join_path(path, "type"), "type", type, kind.names());
   // Without a type nobody knows which keys belong there.
   if (!found) {
     for (const auto& [key, owners] : known.of_other_types) known.keys.push_back(key);
@@ -181,11 +182,11 @@ void Reader::read_scalar(const toml::node& node, const std::string& path, const 
 }
 
 void Reader::read_word(const toml::node& node, const std::string& path, const ValueKind& kind, void* target) {
-  if (!node.is_string()) return refuse_kind(node, path, "a text", "Choose one of: " + join(kind.names));
+  if (!node.is_string()) return refuse_kind(node, path, "a text", "Choose one of: " + join(kind.names()));
   const std::string text = node.ref<std::string>();
-  const auto found = std::find(kind.names.begin(), kind.names.end(), text);
-  if (found == kind.names.end()) return refuse_choice(path, "choice", text, kind.names);
-  kind.make(target, static_cast<std::size_t>(found - kind.names.begin()));
+  const auto found = std::find(kind.words.begin(), kind.words.end(), text);
+  if (found == kind.words.end()) return refuse_choice(path, "choice", text, kind.names());
+  kind.make(target, static_cast<std::size_t>(found - kind.words.begin()));
 }
 
 void Reader::read_list(const toml::node& node, const std::string& path, const Rule& rule, const ValueKind& kind,

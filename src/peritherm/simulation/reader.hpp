@@ -23,7 +23,7 @@ class Reader {
 
   template <Described T>
   void read_table(const toml::table& table, const std::string& path, T& target) {
-    read_struct(table, path, struct_kind<T>(), &target);
+    read_struct(table, path, struct_kind<T>, &target);
   }
 
   const std::vector<Issue>& issues() const { return issues_; }

@@ -27,7 +27,7 @@ std::string kind_text(const ValueKind& kind) {
     case ValueForm::table:
       return kind.structs.front()->has_type ? "table with type, or the type alone" : "table";
     case ValueForm::word:
-      return join(kind.names, " | ");
+      return join(kind.names(), " | ");
     case ValueForm::profile:
       return "number or expression";
     case ValueForm::text:
@@ -83,10 +83,10 @@ class SchemaLister {
     SchemaRow row{SchemaRow::What::option, depth, std::string(option.key), kind_text(*option.value), {}, {},
                   std::string(option.help)};
     if (option.key.empty()) row.key = "type";
-    if (option.is_choice_beside()) row.kind = join(option.value->names, " | ");
+    if (option.is_choice_beside()) row.kind = join(option.value->names(), " | ");
     if (!option.unit.empty()) row.kind += " [" + std::string(option.unit) + "]";
     if (option.check.text != any_number.text) row.range = std::string(option.check.text);
-    row.standard = option.required ? "required" : default_of(*option.value, value_in(owner.defaults, option));
+    row.standard = option.required ? "required" : default_of(*option.value, value_in(owner.defaults(), option));
     rows.push_back(row);
     list_inside(*option.value, path.empty() ? row.key : path + '.' + row.key, depth + (option.key.empty() ? 0 : 1));
   }

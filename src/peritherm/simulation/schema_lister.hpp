@@ -25,7 +25,7 @@ std::vector<SchemaRow> list_schema(const StructKind& kind);
 
 template <Described T>
 std::vector<SchemaRow> list_schema() {
-  return list_schema(struct_kind<T>());
+  return list_schema(struct_kind<T>);
 }
 
 enum class SchemaStyle { plain, markdown };

@@ -69,7 +69,7 @@ std::string toml_value(const ValueKind& kind, const void* value) {
     case ValueForm::profile:
       return profile_text(*static_cast<const Profile*>(value));
     case ValueForm::word:
-      return toml_string(kind.names[kind.chosen(value)]);
+      return toml_string(kind.words[kind.chosen(value)]);
     case ValueForm::optional:
       return kind.count(value) == 0 ? std::string{} : toml_value(*kind.inner, kind.part(value, 0));
     case ValueForm::list:
@@ -91,7 +91,7 @@ bool is_left_out(const OptionKind& option, const StructKind& kind, const void* o
   if (form != ValueForm::optional && form != ValueForm::list) return false;
   const bool empty = option.value->count(value_in(owner, option)) == 0;
   if (form == ValueForm::optional) return empty;
-  return !option.required && empty && option.value->count(value_in(kind.defaults, option)) == 0;
+  return !option.required && empty && option.value->count(value_in(kind.defaults(), option)) == 0;
 }
 
 void append_toml_entries(const StructKind& kind, const void* owner, TomlEntries& entries) {
@@ -107,7 +107,7 @@ void append_toml_entries(const StructKind& kind, const void* owner, TomlEntries&
 
 void append_chosen_entries(const ValueKind& choice, const void* value, TomlEntries& entries) {
   const std::size_t chosen = choice.chosen(value);
-  entries.emplace_back("type", toml_string(choice.names[chosen]));
+  entries.emplace_back("type", toml_string(choice.words[chosen]));
   append_toml_entries(*choice.structs[chosen], choice.part(value, chosen), entries);
 }
 

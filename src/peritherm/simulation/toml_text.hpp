@@ -35,7 +35,7 @@ void append_chosen_entries(const ValueKind& choice, const void* value, TomlEntri
 /// A struct as a table on one line.
 template <Described T>
 std::string toml_table(const T& table) {
-  return toml_value(value_kind<T>(), &table);
+  return toml_value(value_kind<T>, &table);
 }
 
 }  // namespace peritherm

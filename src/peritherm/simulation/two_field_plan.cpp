@@ -11,6 +11,9 @@
 namespace peritherm {
 namespace {
 
+/// Threads of fewer points wait for one another longer than they work.
+constexpr std::size_t least_points_per_thread = 20'000;
+
 /// Bytes per point, measured: operators, matrix and factor or vectors of the iteration.
 double bytes_per_point(int dimension) { return dimension == 1 ? 2e3 : (dimension == 2 ? 5e3 : 15e3); }
 
@@ -35,7 +38,9 @@ Problem prepare_two_field(const Problem& given) {
   }
   const Grid grid = make_grid(problem);
   refuse_if_too_large(bytes_per_point(grid.dimension) * static_cast<double>(grid.size()), grid.size());
-  omp_set_num_threads(problem.numerics.threads > 0 ? problem.numerics.threads : omp_get_num_procs());
+  const int worth = static_cast<int>(std::min<std::size_t>(grid.size() / least_points_per_thread, 1024));
+  const int most = std::clamp(worth, 1, omp_get_num_procs());
+  omp_set_num_threads(problem.numerics.threads > 0 ? problem.numerics.threads : most);
   return problem;
 }
 

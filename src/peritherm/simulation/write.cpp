@@ -73,7 +73,7 @@ class Writer {
 std::string write_problem(const Problem& problem) {
   Writer writer;
   const Problem all = resolved(problem);
-  writer.write(struct_kind<Problem>(), &all, "");
+  writer.write(struct_kind<Problem>, &all, "");
   return writer.text();
 }
 

@@ -19,6 +19,7 @@ constexpr double same_shift = 1e-11;
 /// A rate that backward Euler changes more in its first half step than this many times as in its second holds decays
 /// that are faster than the step.
 constexpr double stiff_change = 4.0;
+constexpr double impulse = 1e-11;      ///< length of a step onto the constraints, over the way to the first time
 constexpr double first_change = 0.01;  ///< of the span of temperatures, in a first trial step
 
 void combine(double a, const std::vector<double>& x, double b, const std::vector<double>& y,
@@ -94,6 +95,7 @@ double TwoFieldGs4::march(double from, std::span<const double> times, TwoFieldSt
 
 void TwoFieldGs4::begin(double from, double to, TwoFieldState& state) {
   if (started_) return sequence_.begin(from, to, sequence_.wanted());
+  if (sequence_.follows_errors()) meet_constraints(from, impulse * (to - from), state);
   find_start(from, state);
   started_ = true;
   double first = to - from;
@@ -110,6 +112,15 @@ void TwoFieldGs4::begin(double from, double to, TwoFieldState& state) {
   // Rates promise more than happens where they decay at once.
   promise_ = 0.0;
   sequence_.begin(from, to, first);
+}
+
+/// Where start values jump the heat of the jump passes in an impulse: rates exist only after it.
+void TwoFieldGs4::meet_constraints(double from, double length, TwoFieldState& state) {
+  const auto fault = find_start_fault(system_, from, state.temperature);
+  if (!fault || options_.start == SingleStepStart::consistent) return;
+  include(from, state);
+  solve(backward_euler, from, length, corrected_, state);
+  add_change(state);
 }
 
 void TwoFieldGs4::find_start(double from, TwoFieldState& state) {

@@ -35,6 +35,7 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
 
  private:
   void begin(double from, double to, TwoFieldState& state);
+  void meet_constraints(double from, double length, TwoFieldState& state);
   void find_start(double from, TwoFieldState& state);
   bool step(TwoFieldState& state);
   bool start_step(TwoFieldState& state);
