@@ -17,11 +17,7 @@ constexpr double least_extent = 1.4;
 /// A piece of nearly the least extent may stay if it would become larger than this with any neighbour.
 constexpr double largest_extent = 3.6;
 /// Least size of a piece of a face of the box, in faces of cells.
-<<<<<<< HEAD
-constexpr double least_piece = 0.7;
-=======
 constexpr double least_face_share = 0.7;
->>>>>>> parts
 /// Below this size direction does not matter.
 constexpr double sliver = 0.1;
 /// Least cosine between the directions of pieces that merge.
@@ -54,11 +50,7 @@ class PieceMerger {
   double area_of_extent(double extent) const { return face_ * std::pow(extent, grid_.dimension - 1); }
 
   bool is_small(const SurfacePiece& piece) const {
-<<<<<<< HEAD
-    return length(piece.area) < (piece.movable ? area_of_extent(least_extent) : least_piece * face_);
-=======
     return length(piece.area) < (piece.movable ? area_of_extent(least_extent) : least_face_share * face_);
->>>>>>> parts
   }
 
   /// One pass from the smallest to the largest; was any merged?

@@ -181,7 +181,8 @@ TEST(TwoFieldDisplay, refines_its_raster_and_never_mixes_parts) {
   body.parts[0].spacing = 0.25;
   body.parts[1].spacing = 0.125;
   body.parts[1].material = 1;
-  const TwoFieldDisplay display(grid, body);
+  const TwoFieldDisplay display(grid, body,
+                                [](const Point& place) { return static_cast<MaterialIndex>(place[0] > 0.5); });
   EXPECT_EQ(display.grid().cells[0], 8);
   EXPECT_EQ(display.materials(), (std::vector<MaterialIndex>{0, 0, 0, 0, 1, 1, 1, 1}));
   EXPECT_EQ(display.point_of(3), 1);
