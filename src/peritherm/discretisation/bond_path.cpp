@@ -160,6 +160,16 @@ double BondTracer::contact_resistance(const std::vector<Stretch>& stretches) con
   return sum + contact_resistance(last, end, last.end);
 }
 
+/// On a wall the body goes on as its mirror image, and so does the surface: its normal lies along the wall.
+Point BondTracer::along_walls(Point normal, const Point& place) const {
+  const double slack = 1e-9 * body_.grid.spacing;
+  for (int axis = 0; axis < body_.grid.dimension; ++axis) {
+    const bool on_wall = place[axis] <= lower_[axis] + slack || place[axis] >= upper_[axis] - slack;
+    if (on_wall && std::abs(normal[axis]) < 1.0 - 1e-9) normal[axis] = 0.0;
+  }
+  return unit_vector(normal);
+}
+
 double BondTracer::contact_resistance(const Stretch& before, const Stretch& after, const Point& place) const {
   const MaterialIndex from = body_.material_of_region(before.region);
   const MaterialIndex to = body_.material_of_region(after.region);
@@ -168,7 +178,8 @@ double BondTracer::contact_resistance(const Stretch& before, const Stretch& afte
   if (resistance == 0.0) return 0.0;
   // The later region overwrites the other one, so the surface between the two is its own.
   const auto region = static_cast<std::size_t>(std::max(before.region, after.region));
-  const Point normal = surface_normal(body_.regions[region].shape, place, 1e-6 * body_.grid.spacing);
+  const Point normal =
+      along_walls(surface_normal(body_.regions[region].shape, place, 1e-6 * body_.grid.spacing), place);
   // A bond that meets surface and mirror in one place has two directions there, and its mirror image has the same two.
   // One that only grazes the surface gets an infinite resistance.
   return resistance / std::max(std::abs(dot(normal, before.bond)), std::abs(dot(normal, after.bond)));

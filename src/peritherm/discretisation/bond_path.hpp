@@ -84,6 +84,7 @@ class BondTracer {
   void cut_at_walls(const Point& a, const Point& b, std::vector<Piece>& pieces) const;
   void cut_at_surfaces(const std::vector<Piece>& pieces, std::vector<Stretch>& stretches) const;
   double conductivity_along(const std::vector<Stretch>& stretches, MaterialIndex a, MaterialIndex b) const;
+  Point along_walls(Point normal, const Point& place) const;
   double contact_resistance(const std::vector<Stretch>& stretches) const;
   double contact_resistance(const Stretch& before, const Stretch& after, const Point& place) const;
 

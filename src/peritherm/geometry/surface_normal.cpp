@@ -18,11 +18,6 @@ struct SurfacePiece {
 };
 using SurfacePieces = std::vector<SurfacePiece>;
 
-Point unit_vector(const Point& x) {
-  const double size = length(x);
-  return size > 0.0 ? scaled(x, 1.0 / size) : Point{};
-}
-
 void append_pieces(const Box& box, const Point& x, SurfacePieces& pieces) {
   for (std::size_t axis = 0; axis < box.from.size(); ++axis) {
     Point normal{};

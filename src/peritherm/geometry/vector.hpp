@@ -19,4 +19,9 @@ inline Point between(const Point& a, const Point& b, double u) {
   return {a[0] + u * (b[0] - a[0]), a[1] + u * (b[1] - a[1]), a[2] + u * (b[2] - a[2])};
 }
 
+inline Point unit_vector(const Point& x) {
+  const double size = length(x);
+  return size > 0.0 ? scaled(x, 1.0 / size) : Point{};
+}
+
 }  // namespace peritherm

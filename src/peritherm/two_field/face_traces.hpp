@@ -14,10 +14,12 @@ class FaceTraces {
  public:
   FaceTraces(int dimension, const SubDomain& part, const Families& families);
 
-  /// None where the place is not the middle of one or several faces of cells, or its rows of points are too short.
+  /// None where the place is not the middle of one or several faces of cells, its rows of points are too short, or a
+  /// face ends there.
   std::optional<Trace> at(const SurfacePoint& place) const;
 
  private:
+  bool ends_beside(PointIndex first, int axis) const;
   std::optional<Trace> row_below(const Point& face, int axis, int side) const;
 
   int dimension_;
