@@ -35,7 +35,7 @@ ContactTask front_task_2018(double stabilisation, double ratio) {
 
 struct FrontErrors2018 {
   double mean = 0.0;        ///< of |T − exact|
-  double undershoot = 0.0;  ///< below the start
+  double lowest = 0.0;      ///< temperature
   double overshoot = 0.0;   ///< above the held end
   double sawtooth = 0.0;    ///< half of the largest second difference well behind the front
   std::array<double, 3> arrivals{};
@@ -63,7 +63,7 @@ FrontErrors2018 front_errors_2018(const ContactRun& run) {
       errors.sawtooth = std::max(errors.sawtooth, 0.25 * std::abs(last[i - 1] - 2.0 * last[i] + last[i + 1]));
     }
   }
-  errors.undershoot = std::max(0.0, -run.summary.lowest);
+  errors.lowest = *std::min_element(last.begin(), last.end());
   errors.overshoot = std::max(0.0, run.summary.highest - 1.0);
   const std::array<double, 3> places{0.25, 0.5, 0.6};
   for (std::size_t k = 0; k < 3; ++k) errors.arrivals[k] = arrival_2018(run, k, places[k]);
@@ -99,11 +99,14 @@ void add_front_rows_2018(ReportTable& table, const xue_2018_values::FrontValues&
                            .recomputed(known.mean_error)
                            .defaults(errors.mean)
                            .near(ValueKind::defaults, ValueKind::recomputed, 0.002));
-  table.rows.push_back(ReportRow(name + ": lowest temperature", {3, false})
+  table.rows.push_back(ReportRow(name + ": lowest temperature at t = 0.7", {3, false})
                            .recomputed(-known.undershoot)
-                           .defaults(-errors.undershoot)
-                           .exact(0.0));
-  table.rows.push_back(ReportRow(name + ": overshoot", {3, false}).defaults(errors.overshoot).exact(0.0));
+                           .defaults(errors.lowest)
+                           .exact(0.0)
+                           .near(ValueKind::defaults, ValueKind::recomputed, 2e-3));
+  table.rows.push_back(
+      ReportRow(name + ": lowest temperature after any step", {3, false}).defaults(run.summary.lowest).exact(0.0));
+  table.rows.push_back(ReportRow(name + ": highest temperature after any step, above the held end", {3, false}).defaults(errors.overshoot).exact(0.0));
   table.rows.push_back(ReportRow(name + ": sawtooth behind the front", {4, false})
                            .defaults(errors.sawtooth)
                            .below("sawtooth", errors.sawtooth, 5e-3));
@@ -121,7 +124,7 @@ struct Film2018 {
   ContactLayer film{200e-9, 315.0, 2.5e6, CattaneoLaw{8.5e-12}, 0.0};
   ContactLayer substrate{400e-9, 40.0, 3.1e6, FourierLaw{}, 0.0};
   double energy = 10.0;       ///< [J/m²]
-  double pulse_time = 2e-12;  ///< [s]
+  double pulse_time = 5e-12;  ///< [s]
   double resistance = 0.0;    ///< [m² K/W]
 
   DrivenLayers solution() const {
@@ -218,7 +221,7 @@ ReportSection front_section_2018(PaperRuns& runs) {
 }
 
 ReportSection film_section_2018(PaperRuns& runs) {
-  const std::vector<int> cells = runs.quick() ? std::vector<int>{50, 100} : std::vector<int>{50, 100, 200};
+  const std::vector<int> cells = runs.quick() ? std::vector<int>{50, 100} : std::vector<int>{50, 100, 200, 400};
   const std::array<double, 2> resistances{0.0, 1e-8};
   std::vector<ContactTask> tasks;
   std::vector<Film2018> films;
@@ -229,7 +232,7 @@ ReportSection film_section_2018(PaperRuns& runs) {
   const std::vector<ContactRun> computed = march_contacts(runs, tasks);
   ReportTable table{"Root of the mean square error over the largest temperature rise", {}};
   for (std::size_t f = 0; f < films.size(); ++f) {
-    const DrivenLayers solution = films[f].solution().with_tolerance(1e-9);
+    const DrivenLayers solution = films[f].solution().quick();
     for (std::size_t time = 0; time < film_times_2018.size(); ++time) {
       std::vector<double> errors;
       const std::string name =
@@ -248,10 +251,10 @@ ReportSection film_section_2018(PaperRuns& runs) {
   section.blocks.push_back(
       ReportText{"A gold film of 200 nm (k = 315 W/(m K), τ = 8.5 ps: waves of 3850 m/s) on 400 nm of sapphire takes "
                  "up 10 J/m² in a "
-                 "pulse that is largest at 4 ps. Cattaneo's law in the film, Fourier's in the substrate, perfect "
+                 "pulse that is largest at 10 ps. Cattaneo's law in the film, Fourier's in the substrate, perfect "
                  "contact or R = 1e-8 "
                  "m² K/W. Exact by the impedances of the layers."});
-  section.blocks.push_back(film_picture_2018(computed.back(), films.back().solution().with_tolerance(1e-7), runs));
+  section.blocks.push_back(film_picture_2018(computed.back(), films.back().solution().quick(), runs));
   section.blocks.push_back(std::move(table));
   if (runs.quick()) section.left_out = "200 points in the film.";
   return section;

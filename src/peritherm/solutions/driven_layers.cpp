@@ -1,9 +1,12 @@
 #include "peritherm/solutions/driven_layers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "peritherm/base/error.hpp"
 #include "peritherm/solutions/laplace_series.hpp"
 
 namespace peritherm {
@@ -27,6 +30,10 @@ struct DrivenLayers::Wave {
 
 DrivenLayers::DrivenLayers(std::vector<ContactLayer> layers, FarEnd far, const SurfaceDrive& drive, double wave_number)
     : layers_(std::move(layers)), far_(far), drive_(drive), wave_number_(wave_number) {
+  if (layers_.size() > most_layers) {
+    throw Error("the exact solution of driven layers is for at most " + std::to_string(most_layers) + " layers",
+                "Leave layers out, or join some");
+  }
   double begin = 0.0;
   for (const ContactLayer& layer : layers_) {
     begins_.push_back(begin);
@@ -34,9 +41,10 @@ DrivenLayers::DrivenLayers(std::vector<ContactLayer> layers, FarEnd far, const S
   }
 }
 
-DrivenLayers DrivenLayers::with_tolerance(double tolerance) const {
+DrivenLayers DrivenLayers::quick() const {
   DrivenLayers copy = *this;
-  copy.tolerance_ = tolerance;
+  copy.tolerance_ = 1e-10;
+  copy.terms_ = 4000;
   return copy;
 }
 
@@ -56,7 +64,7 @@ std::complex<double> DrivenLayers::drive(std::complex<double> s) const {
 }
 
 DrivenLayers::Wave DrivenLayers::wave_in(std::size_t layer, std::complex<double> s) const {
-  std::vector<Wave> waves(layers_.size());
+  std::array<Wave, most_layers> waves;
   std::complex<double> reflected = far_ == FarEnd::held ? -1.0 : (far_ == FarEnd::insulated ? 1.0 : 0.0);
   for (std::size_t i = layers_.size(); i-- > 0;) {
     Wave& wave = waves[i];
@@ -89,7 +97,7 @@ double DrivenLayers::temperature_in(std::size_t layer, double x, double time) co
   const double y = x - begins_[layer];
   const double length = layers_[layer].length;
   return invert_laplace_series([&](std::complex<double> s) { return wave_in(layer, s).temperature(y, length); }, time,
-                               tolerance_ * value_of_drive());
+                               tolerance_ * value_of_drive(), terms_);
 }
 
 double DrivenLayers::flux_in(std::size_t layer, double x, double time) const {
@@ -98,7 +106,7 @@ double DrivenLayers::flux_in(std::size_t layer, double x, double time) const {
   const double length = layers_[layer].length;
   const double scale = layers_[layer].conductivity / length;
   return invert_laplace_series([&](std::complex<double> s) { return wave_in(layer, s).flux(y, length); }, time,
-                               tolerance_ * value_of_drive() * scale);
+                               tolerance_ * value_of_drive() * scale, terms_);
 }
 
 double DrivenLayers::temperature(double x, double time) const {

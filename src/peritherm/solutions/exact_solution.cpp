@@ -110,13 +110,10 @@ double length_of(const Layers& options) {
   return std::accumulate(options.lengths.begin(), options.lengths.end(), 0.0);
 }
 
-/// Good enough to draw, and much quicker than all digits where waves run.
-constexpr double drawn_tolerance = 1e-11;
-
 TemperatureAt prepare(const RampedLayers& bar) {
   const DrivenLayers layers =
       DrivenLayers(contact_layers(bar), FarEnd::held, TemperatureRamp{bar.held - bar.start, bar.rise_time})
-          .with_tolerance(drawn_tolerance);
+          .quick();
   return [layers, start = bar.start, length = length_of(bar)](const Point& place, double time) {
     return start + layers.temperature(inside(place[0], length, RampedLayers::name), time);
   };
@@ -125,7 +122,7 @@ TemperatureAt prepare(const RampedLayers& bar) {
 TemperatureAt prepare(const PulsedLayers& bar) {
   const DrivenLayers layers =
       DrivenLayers(contact_layers(bar), FarEnd::insulated, FluxPulse{bar.energy, bar.pulse_time})
-          .with_tolerance(drawn_tolerance);
+          .quick();
   return [layers, start = bar.start, length = length_of(bar)](const Point& place, double time) {
     return start + layers.temperature(inside(place[0], length, PulsedLayers::name), time);
   };

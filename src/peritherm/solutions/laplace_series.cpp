@@ -17,19 +17,18 @@ double fading(int term, int terms) {
 
 }  // namespace
 
-double invert_laplace_series(const LaplaceTransform& transform, double time, double tolerance) {
-  constexpr int most_terms = 40000;
+double invert_laplace_series(const LaplaceTransform& transform, double time, double tolerance, int terms) {
   constexpr int group = 64;
   const double period = 2.0 * time;
   const double damping = 18.0 / period;
   const double scale = std::exp(damping * time) / period;
   double sum = 0.5 * transform(damping).real();
   double recent = 0.0;
-  for (int k = 1; k <= most_terms; ++k) {
+  for (int k = 1; k <= terms; ++k) {
     const std::complex<double> value = transform({damping, k * std::numbers::pi / period});
     // Re(value i^k).
     const std::array<double, 4> turned{value.real(), -value.imag(), -value.real(), value.imag()};
-    sum += fading(k, most_terms) * turned[static_cast<std::size_t>(k % 4)];
+    sum += fading(k, terms) * turned[static_cast<std::size_t>(k % 4)];
     recent += std::abs(value);
     if (k % group != 0) continue;
     if (scale * recent < tolerance) break;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "peritherm/base/error.hpp"
 #include "peritherm/solutions/heat_wave.hpp"
 #include "peritherm/solutions/laplace_series.hpp"
 #include "peritherm/solutions/layered_slab.hpp"
@@ -112,6 +113,8 @@ TEST(DrivenLayers, ramps_have_their_known_values) {
                                          layers.flux_in(0, 0.5, t)};
     for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(computed[k], printed.values[k], 0.51e-8) << printed.name << k;
     EXPECT_NEAR(layers.flux_in(1, 0.5, t), computed[4], 1e-12) << printed.name;
+    EXPECT_NEAR(layers.quick().temperature(0.75, t), computed[3], 1e-7) << printed.name;
+    EXPECT_NEAR(layers.quick().temperature(0.25, t), computed[0], 1e-7) << printed.name;
   }
 }
 
@@ -198,6 +201,10 @@ TEST(DrivenLayers, insulated_layers_keep_the_heat_of_a_pulse) {
               1e-12);
   EXPECT_NEAR(film.flux_in(1, 0.5, 0.05), 0.0, 1e-12);
   EXPECT_NEAR(film.flux_in(0, 0.0, 0.03), 0.7 * 4.5 * std::exp(-3.0) / 0.01, 1e-9);
+}
+
+TEST(DrivenLayers, more_layers_than_it_knows_are_refused) {
+  EXPECT_THROW(DrivenLayers(std::vector<ContactLayer>(17, fourier_first), FarEnd::held, TemperatureRamp{}), Error);
 }
 
 /// The balance of heat and the law of flux by central differences.
