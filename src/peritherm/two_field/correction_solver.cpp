@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace peritherm {
 namespace {
@@ -14,6 +15,8 @@ constexpr double relative_shift = 1e-12;
 /// The caller repeats what is left.
 constexpr double iteration_accuracy = 1e-5;
 constexpr double rounding_floor = 2e-15;
+/// Residuals of conjugate gradients go up and down, but not by so much.
+constexpr double led_astray = 1e4;
 constexpr int most_iterations = 1000;
 
 LowerTriangle shifted_lower(const SparseMatrix& matrix) {
@@ -87,8 +90,15 @@ void CorrectionSolver::iterate(ConstField right, Field multipliers) const {
   std::fill(multipliers.begin(), multipliers.end(), 0.0);
   // Below rounding the linear part of the residual, which no multiplier reaches, would lead astray.
   const double target = std::max(iteration_accuracy * largest_entry(right), rounding_floor);
-  double before = 0.0;
-  for (int iteration = 0; iteration < most_iterations && largest_entry(rest) > target; ++iteration) {
+  std::vector<double> reached(size, 0.0);
+  double before = 0.0, least = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const double left = largest_entry(rest);
+    if (left < least) {
+      least = left;
+      std::copy(reached.begin(), reached.end(), multipliers.begin());
+    }
+    if (!(left > target) || left > led_astray * least) break;
     for (std::size_t j = 0; j < size; ++j) scaled[j] = rest[j] / diagonal_[j];
     const double now = inner_product(rest, scaled);
     const double share = before > 0.0 ? now / before : 0.0;
@@ -99,7 +109,7 @@ void CorrectionSolver::iterate(ConstField right, Field multipliers) const {
     energy_.sum_changes(changes, product);
     const double step = now / inner_product(direction, product);
     for (std::size_t j = 0; j < size; ++j) {
-      multipliers[j] += step * direction[j];
+      reached[j] += step * direction[j];
       rest[j] -= step * product[j];
     }
   }

@@ -294,6 +294,39 @@ TEST(NonlocalOperators, a_uniform_flux_heats_nothing_in_a_disc_of_rings) {
   for (std::size_t i = 0; i < body.part.size(); ++i) EXPECT_NEAR(found.values[1][i], slope[1], 1e-12);
 }
 
+/// The parts of a box of cells with a ball of its own in it, cut out of the cells.
+std::vector<ClosedPart> parts_with_ball(int dimension, int cells, double ratio, double radius) {
+  const double spacing = 1.0 / cells;
+  const Grid grid{dimension, spacing, {cells, cells, dimension == 3 ? cells : 1}, {}, PointPlacement::centres};
+  PartRegion ball;
+  ball.shape = Ball{Coordinates(static_cast<std::size_t>(dimension), 0.5), radius};
+  ball.name = "ball";
+  ball.material = 1;
+  const DividedBody body = divide_body(grid, {"matrix", 0, ratio * spacing}, {ball});
+  std::vector<ClosedPart> parts;
+  for (const SubDomain& part : body.parts) parts.push_back({dimension, part, {}});
+  for (SurfacePoint place : body.surface) {
+    parts[static_cast<std::size_t>(place.first)].surface.push_back(place);
+    if (place.second < 0) continue;
+    for (double& component : place.normal) component = -component;
+    parts[static_cast<std::size_t>(place.second)].surface.push_back(place);
+  }
+  return parts;
+}
+
+TEST(NonlocalOperators, a_uniform_flux_heats_nothing_where_cells_are_cut) {
+  for (const int dimension : {2, 3}) {
+    for (const ClosedPart& body : parts_with_ball(dimension, dimension == 2 ? 20 : 12, 2.0, 0.35)) {
+      const NonlocalOperators operators = operators_of(body);
+      for (int axis = 0; axis < dimension; ++axis) {
+        EXPECT_LT(patch_residual(body, operators, axis), 1e-14) << body.part.name << " in " << dimension;
+      }
+      const Gradient found(operators, linear_field(body.part));
+      for (std::size_t i = 0; i < body.part.size(); ++i) EXPECT_NEAR(found.values[0][i], slope[0], 1e-12);
+    }
+  }
+}
+
 TEST(NonlocalOperators, says_that_a_surface_is_not_closed) {
   ClosedPart body = brick(2);
   body.surface.pop_back();
