@@ -175,7 +175,7 @@ class Gs4 final : public TimeIntegrator {
 
   /// c h³ T''' from the corrected rates of three times, the newest in right_.
   double error_of_step(double length) {
-    if (!has_history_) return 1.0;
+    if (!has_history_) return allowed();
     const double factor = 2.0 * parameters_.error_constant() * length * length * length / (length + step_before_);
     const Term terms[] = {{factor / length, right_.data()},
                           {-factor / length - factor / step_before_, corrected_.data()},
