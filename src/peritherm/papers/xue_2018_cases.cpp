@@ -161,9 +161,8 @@ void start_in(Problem& problem, const ContactMode& mode, double wave_number) {
   const std::string cosine = fmt::format("*cos({:.17g}*y)", wave_number);
   const std::string sine = fmt::format("*sin({:.17g}*y)", wave_number);
   problem.initial.temperature = Profile(by_layer(temperatures[0], temperatures[1]) + cosine);
-  const bool relaxes = std::any_of(problem.materials.begin(), problem.materials.end(), [](const auto& entry) {
-    return relaxation_time(entry.second.flux_law) > 0.0;
-  });
+  const bool relaxes = std::any_of(problem.materials.begin(), problem.materials.end(),
+                                   [](const auto& entry) { return relaxation_time(entry.second.flux_law) > 0.0; });
   if (!relaxes) return;
   std::vector<Profile> flux{Profile(by_layer(fluxes_x[0], fluxes_x[1]) + cosine)};
   if (problem.body.size.size() > 1) flux.emplace_back(by_layer(fluxes_y[0], fluxes_y[1]) + sine);
