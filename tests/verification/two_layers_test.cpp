@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/reduction/sparse_factor.hpp"
 #include "peritherm/two_field/two_field_gs4.hpp"
 #include "support/differences.hpp"
 #include "support/tolerance.hpp"
@@ -102,6 +103,79 @@ TEST(TwoLayersMarch, keeps_the_heat_of_an_insulated_body) {
   }
 }
 
+TEST(TwoLayersMarch, keeps_the_heat_of_insulated_plates_by_iterations_too) {
+  for (const TwoLayers& layers : two_layers) {
+    const TwoFieldSystem system = make_two_plates(layers, 12, 3.0, nullptr);
+    GeneralisedSingleStep options;
+    options.relative_tolerance = 1e-4;
+    TwoFieldState state = system.make_state();
+    for (std::size_t n = 0; n < system.size(); ++n) state.temperature[n] = n % 12 < 5 ? 1.0 : 0.2;
+    TwoFieldGs4 integrator(options, system, StageMethod::iterative);
+    const double before = system.stored_heat(state.temperature), times[] = {0.1, 1.0};
+    integrator.march(0.0, times, state, {});
+    EXPECT_NEAR(system.stored_heat(state.temperature), before, 1e-11 * before) << layers.name;
+    EXPECT_LT(integrator.count().largest_residual, 1e-12);
+    EXPECT_GT(integrator.count().iterations, 0);
+  }
+}
+
+/// Crank-Nicolson for points joined by bonds of conductance V_i (1/K_i + 1/K_j) ω V_j, K = Σ ω ξ² V_j.
+std::vector<double> march_bonds(std::vector<double> temperature, double spacing, int reach, double step, int steps) {
+  const auto size = static_cast<int>(temperature.size());
+  const auto neighbours = [&](int i, const auto& visit) {
+    for (int j = std::max(0, i - reach); j <= std::min(size - 1, i + reach); ++j) {
+      if (j != i) visit(j, std::abs(i - j) * spacing);
+    }
+  };
+  std::vector<double> spread(temperature.size(), 0.0);
+  for (int i = 0; i < size; ++i) neighbours(i, [&](int, double distance) { spread[i] += distance * spacing; });
+  SparseMatrix left;
+  std::vector<std::vector<double>> right(temperature.size(), std::vector<double>(temperature.size(), 0.0));
+  for (int i = 0; i < size; ++i) {
+    neighbours(i, [&](int j, double distance) {
+      const double conductance = spacing * spacing * (1.0 / spread[i] + 1.0 / spread[j]) / distance;
+      right[i][j] += 0.5 * step * conductance;
+      right[i][i] -= 0.5 * step * conductance;
+    });
+    for (int j = 0; j < size; ++j) {
+      left.column_of.push_back(j);
+      left.values.push_back((i == j ? spacing : 0.0) - right[i][j]);
+    }
+    left.begin.push_back(static_cast<std::int64_t>(left.values.size()));
+    right[i][i] += spacing;
+  }
+  left.columns = temperature.size();
+  const SparseFactor factor(left, 0);
+  for (int n = 0; n < steps; ++n) {
+    Matrix sums(temperature.size(), 1);
+    for (int i = 0; i < size; ++i) {
+      for (int j = 0; j < size; ++j) sums.values[i] += right[i][j] * temperature[j];
+    }
+    factor.solve(sums);
+    temperature = sums.values;
+  }
+  return temperature;
+}
+
+TEST(TwoLayersMarch, of_one_layer_of_fouriers_law_is_the_bond_based_model) {
+  constexpr int cells = 30, reach = 3, steps = 50;
+  constexpr double spacing = 0.5 / cells, step = 0.01;
+  const ClosedPart layer = box_part(1, {cells, 1, 1}, spacing, reach * spacing);
+  std::vector<NonlocalOperators> parts;
+  parts.emplace_back(1, layer.part, layer.surface, Kernel{ConstantKernel{}, 1});
+  const TwoFieldSystem system(std::move(parts), {law_of(fourier_1, 1.0)}, {}, {});
+  GeneralisedSingleStep options;
+  options.method = SingleStepMethod::crank_nicolson;
+  options.step = step;
+  options.start = SingleStepStart::consistent;
+  TwoFieldState state = system.make_state();
+  for (int n = 0; n < cells; ++n) state.temperature[n] = std::cos(7.0 * n * n);
+  const std::vector<double> start = state.temperature;
+  const double times[] = {steps * step};
+  TwoFieldGs4(options, system).march(0.0, times, state, {});
+  EXPECT_LT(largest_difference(state.temperature, march_bonds(start, spacing, reach, step, steps)), 1e-12);
+}
+
 TEST(TwoLayersMarch, with_error_control_follows_the_tolerance) {
   for (const char* name : {"I-perfect", "II-kapitza", "III-kapitza"}) {
     const TwoLayers& layers = layers_named(name);
@@ -142,6 +216,12 @@ TEST(TwoLayersMarch, starts_with_backward_euler_where_start_values_jump) {
   // Of the series with both layers' modes.
   EXPECT_NEAR(value_in_the_middle(all.first(200)), 0.59130487, 1e-4);
   EXPECT_NEAR(value_in_the_middle(all.subspan(200)), 0.00814368, 1e-4);
+  options.step.reset();
+  TwoFieldGs4 controlled(options, system);
+  state = system.make_state();
+  controlled.march(0.0, times, state, {});
+  EXPECT_NEAR(value_in_the_middle(ConstField(state.temperature).first(200)), 0.59130487, 1e-4);
+  EXPECT_LT(controlled.count().steps.accepted, 400);
   options.start = SingleStepStart::consistent;
   TwoFieldGs4 strict(options, system);
   state = system.make_state();

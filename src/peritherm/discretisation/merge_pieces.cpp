@@ -14,10 +14,10 @@ namespace {
 /// held temperatures on a disc are off by 2, 0.3 and 0.01 of the largest flux with 0.7, 1 and 1.4: rows much nearer to
 /// each other than points are nearly dependent.
 constexpr double least_extent = 1.4;
-/// A piece of half the least extent or more may stay if it would become larger than this with any neighbour.
-constexpr double largest_extent = 3.0;
+/// A piece of nearly the least extent may stay if it would become larger than this with any neighbour.
+constexpr double largest_extent = 3.6;
 /// Least size of a piece of a face of the box, in faces of cells.
-constexpr double least_share = 0.7;
+constexpr double least_face_share = 0.7;
 /// Below this size direction does not matter.
 constexpr double sliver = 0.1;
 /// Least cosine between the directions of pieces that merge.
@@ -50,7 +50,7 @@ class PieceMerger {
   double area_of_extent(double extent) const { return face_ * std::pow(extent, grid_.dimension - 1); }
 
   bool is_small(const SurfacePiece& piece) const {
-    return length(piece.area) < (piece.movable ? area_of_extent(least_extent) : least_share * face_);
+    return length(piece.area) < (piece.movable ? area_of_extent(least_extent) : least_face_share * face_);
   }
 
   /// One pass from the smallest to the largest; was any merged?
@@ -90,7 +90,7 @@ class PieceMerger {
     std::optional<std::size_t> partner;
     const SurfacePiece& mine = pieces_[p];
     const double size = length(mine.area);
-    const bool may_stay = mine.movable && size >= area_of_extent(0.5 * least_extent);
+    const bool may_stay = mine.movable && size >= area_of_extent(0.9 * least_extent);
     for (int reach = 1; reach <= 2 && !partner; ++reach) {
       double best = std::numeric_limits<double>::infinity();
       for_each_near(p, reach, [&](std::size_t q) {

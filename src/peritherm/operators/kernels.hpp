@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "peritherm/operators/combination.hpp"
@@ -55,6 +56,15 @@ using AccumulateKernel = void (*)(double a_weight, const double* a, double b_wei
 using NarrowKernel = void (*)(Patch<const double> from, double reference, int rows, int length, std::ptrdiff_t ahead,
                               Patch<float> out);
 
+/// Entries of a row that many points have in common: column − row, and value.
+struct PatternRow {
+  const std::int32_t* distances;
+  const double* values;
+  std::int64_t count;
+};
+/// target[x] += factor · Σ_n values[n] · field[x + distances[n]] for x in [0, length).
+using PatternKernel = void (*)(const PatternRow& row, double factor, const double* field, int length, double* target);
+
 /// The loops that are compiled for several instruction sets.
 struct Kernels {
   const char* name;
@@ -63,6 +73,7 @@ struct Kernels {
   NarrowKernel narrow;
   RowKernel combine_row;
   AccumulateKernel accumulate_row;
+  PatternKernel add_pattern;
 };
 
 /// Kernels that this processor can run, best first; the last is the baseline.

@@ -261,6 +261,47 @@ void accumulate_row(double a_weight, const double* __restrict a, double b_weight
   for (int x = 0; x < length; ++x) target[x] += a_weight * a[x] + b_weight * b[x];
 }
 
+/// Vectors · Lanes sums, which stay in registers while the entries of a row pass.
+template <int Lanes, int Vectors>
+PERITHERM_INLINE inline void add_pattern_step(const PatternRow& row, double factor, const double* field,
+                                              double* target) {
+  using Memory = typename VectorOf<double, Lanes>::in_memory;
+  typename VectorOf<double, Lanes>::type sums[Vectors]{};
+  for (std::int64_t n = 0; n < row.count; ++n) {
+    const double* const from = field + row.distances[n];
+    const double value = row.values[n];
+    unrolled<Vectors>([&](auto v)
+                          PERITHERM_INLINE { sums[v] += value * *reinterpret_cast<const Memory*>(from + v * Lanes); });
+  }
+  unrolled<Vectors>([&](auto v) PERITHERM_INLINE {
+    Memory& place = *reinterpret_cast<Memory*>(target + v * Lanes);
+    place = place + factor * sums[v];
+  });
+}
+
+/// Enough independent sums that none waits for its predecessor.
+constexpr int pattern_vectors = 8;
+
+/// In four sums side by side, since additions would wait for one another.
+PERITHERM_INLINE inline double sum_of_point(const PatternRow& row, const double* field) {
+  double sums[4]{};
+  std::int64_t n = 0;
+  for (; n + 4 <= row.count; n += 4) {
+    unrolled<4>([&](auto k) PERITHERM_INLINE { sums[k] += row.values[n + k] * field[row.distances[n + k]]; });
+  }
+  for (; n < row.count; ++n) sums[0] += row.values[n] * field[row.distances[n]];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+template <int Lanes>
+void add_pattern(const PatternRow& row, double factor, const double* field, int length, double* target) {
+  int x = 0;
+  constexpr int step = Lanes * pattern_vectors;
+  for (; x + step <= length; x += step) add_pattern_step<Lanes, pattern_vectors>(row, factor, field + x, target + x);
+  for (; x + Lanes <= length; x += Lanes) add_pattern_step<Lanes, 1>(row, factor, field + x, target + x);
+  for (; x < length; ++x) target[x] += factor * sum_of_point(row, field + x);
+}
+
 }  // namespace
 }  // namespace peritherm
 

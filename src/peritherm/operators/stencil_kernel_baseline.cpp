@@ -8,7 +8,8 @@ const Kernels* kernels_baseline() {
                                    source_kernels<float, 4, 6, 2, 16>(),
                                    narrow<2>,
                                    combine_row,
-                                   accumulate_row};
+                                   accumulate_row,
+                                   add_pattern<2>};
   return &kernels;
 }
 

@@ -16,13 +16,23 @@
 namespace peritherm {
 namespace {
 
+/// By the shapes of the regions, the last one first.
+TwoFieldDisplay::MaterialAt material_finder(const Problem& problem) {
+  return [regions = problem.body.regions, table = make_material_table(problem)](const Point& place) {
+    for (std::size_t r = regions.size(); r-- > 0;) {
+      if (contains(regions[r].shape, place, 0.0)) return table.of_region[r];
+    }
+    return table.background;
+  };
+}
+
 /// Temperatures and fluxes of parts that touch.
 class TwoFieldCase final : public RunningCase {
  public:
   explicit TwoFieldCase(const Problem& given)
       : problem_(prepare_two_field(given)),
         assembly_(assemble_two_field(problem_)),
-        display_(make_grid(problem_), assembly_.body),
+        display_(make_grid(problem_), assembly_.body, material_finder(problem_)),
         integrator_(make_two_field_integrator(problem_.time.integrator, *assembly_.system)),
         state_(initial_state(problem_, assembly_)) {
     if (!find_start_fault(*assembly_.system, 0.0, state_.temperature)) make_consistent(*assembly_.system, 0.0, state_);

@@ -29,7 +29,8 @@ int refinement(const Grid& grid, const DividedBody& body) {
 
 }  // namespace
 
-TwoFieldDisplay::TwoFieldDisplay(const Grid& grid, const DividedBody& body) : body_(body), raster_(grid) {
+TwoFieldDisplay::TwoFieldDisplay(const Grid& grid, const DividedBody& body, MaterialAt material_at)
+    : body_(body), material_at_(std::move(material_at)), raster_(grid) {
   const int times = refinement(grid, body);
   for (int axis = 0; axis < grid.dimension; ++axis) raster_.cells[static_cast<std::size_t>(axis)] *= times;
   raster_.spacing /= times;
@@ -96,6 +97,7 @@ void TwoFieldDisplay::paint_point(const SubDomain& part, std::size_t number, con
         const double distance = distance_in(part, position, raster_.position({i, j, k}));
         const std::size_t cell = raster_.number({i, j, k});
         if (distance > reach_of(part) || distance >= static_cast<double>(distances[cell])) continue;
+        if (part.places.empty() && material_at_(raster_.position({i, j, k})) != part.material) continue;
         distances[cell] = static_cast<float>(distance);
         materials_[cell] = part.material;
         point_of_[cell] = static_cast<std::int64_t>(number);
@@ -150,10 +152,12 @@ PlaceValue TwoFieldDisplay::find(const Point& place) const {
   PlaceValue value;
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t number = 0;
+  const MaterialIndex material = material_at_(place);
   for (std::size_t p = 0; p < body_.parts.size(); ++p) {
+    if (body_.parts[p].places.empty() && body_.parts[p].material != material) continue;
     for (std::size_t i = 0; i < body_.parts[p].size(); ++i) {
       const double distance = distance_in(body_.parts[p], body_.parts[p].positions[i], place);
-      if (distance >= nearest) continue;
+      if (distance >= nearest || distance > reach_of(body_.parts[p]) + 0.25) continue;
       nearest = distance;
       number = first_[p] + i;
       value.part = static_cast<int>(p);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -18,8 +19,11 @@ struct PlaceValue {
 /// The raster on which pictures and files show a body whose parts have points of their own. Never mixes parts.
 class TwoFieldDisplay {
  public:
+  /// Which material the shapes of a case say is at a place; no_material: nothing.
+  using MaterialAt = std::function<MaterialIndex(const Point& place)>;
+
   /// `body` must outlive it. The raster is the grid of the case, refined where parts have finer points.
-  TwoFieldDisplay(const Grid& grid, const DividedBody& body);
+  TwoFieldDisplay(const Grid& grid, const DividedBody& body, MaterialAt material_at);
 
   const Grid& grid() const { return raster_; }
   const std::vector<MaterialIndex>& materials() const { return materials_; }
@@ -42,6 +46,7 @@ class TwoFieldDisplay {
   PlaceValue find(const Point& place) const;
 
   const DividedBody& body_;
+  MaterialAt material_at_;
   Grid raster_;
   std::vector<std::size_t> first_;  ///< first point of each part, and the number of all
   std::vector<Lattice> lattices_;   ///< empty for parts that are none

@@ -2,33 +2,13 @@
 
 #include <algorithm>
 
+#include "peritherm/operators/kernels.hpp"
+
 namespace peritherm {
 namespace {
 
-/// So many sums are kept in the nearest cache while offset after offset is added.
-constexpr PointIndex longest_piece = 512;
-/// Shorter runs are summed point by point.
-constexpr PointIndex shortest_block = 8;
-
-/// sums[k] += Σ_n values[n] · field[k + distances[n]], four offsets at a time.
-void add_offsets(const PointIndex* distances, const double* values, std::int64_t count, const double* field,
-                 PointIndex length, double* sums) {
-  std::int64_t n = 0;
-  for (; n + 4 <= count; n += 4) {
-    const double* a = field + distances[n];
-    const double* b = field + distances[n + 1];
-    const double* c = field + distances[n + 2];
-    const double* d = field + distances[n + 3];
-    const double of_a = values[n], of_b = values[n + 1], of_c = values[n + 2], of_d = values[n + 3];
-    for (PointIndex k = 0; k < length; ++k) {
-      sums[k] = sums[k] + of_a * a[k] + of_b * b[k] + of_c * c[k] + of_d * d[k];
-    }
-  }
-  for (; n < count; ++n) {
-    const double* a = field + distances[n];
-    for (PointIndex k = 0; k < length; ++k) sums[k] += values[n] * a[k];
-  }
-}
+/// Shares of the work among threads.
+constexpr PointIndex longest_piece = 2048;
 
 }  // namespace
 
@@ -49,30 +29,16 @@ void PatternRows::append(const std::vector<Entry>& row) {
   begin_.push_back(static_cast<std::int64_t>(values_.size()));
 }
 
-void PatternRows::add_piece(const Piece& piece, double factor, const double* field, double* result) const {
-  const auto first = static_cast<std::size_t>(begin_[piece.number]);
-  const std::int64_t count = begin_[piece.number + 1] - begin_[piece.number];
-  const PointIndex* distances = distances_.data() + first;
-  const double* values = values_.data() + first;
-  const PointIndex length = piece.end - piece.begin;
-  if (length >= shortest_block) {
-    std::array<double, longest_piece> sums;
-    std::fill_n(sums.begin(), length, 0.0);
-    add_offsets(distances, values, count, field + piece.begin, length, sums.data());
-    for (PointIndex k = 0; k < length; ++k) result[piece.begin + k] += factor * sums[k];
-    return;
-  }
-  for (PointIndex i = piece.begin; i < piece.end; ++i) {
-    double sum = 0.0;
-    for (std::int64_t n = 0; n < count; ++n) sum += values[n] * field[i + distances[n]];
-    result[i] += factor * sum;
-  }
-}
-
 void PatternRows::add_product(double factor, ConstField field, Field result) const {
+  const auto add_pattern = available_kernels().front().add_pattern;
   const auto count = static_cast<std::int64_t>(pieces_.size());
 #pragma omp parallel for schedule(static) if (size() > 4096)
-  for (std::int64_t p = 0; p < count; ++p) add_piece(pieces_[p], factor, field.data(), result.data());
+  for (std::int64_t p = 0; p < count; ++p) {
+    const Piece& piece = pieces_[p];
+    const std::int64_t first = begin_[piece.number];
+    const PatternRow row{distances_.data() + first, values_.data() + first, begin_[piece.number + 1] - first};
+    add_pattern(row, factor, field.data() + piece.begin, piece.end - piece.begin, result.data() + piece.begin);
+  }
 }
 
 void PatternRows::row(std::size_t i, std::vector<PointIndex>& columns, std::vector<double>& values) const {

@@ -36,7 +36,6 @@ class PatternRows {
   struct Piece {
     PointIndex begin, end, number;
   };
-  void add_piece(const Piece& piece, double factor, const double* field, double* result) const;
 
   std::shared_ptr<const PointClasses> classes_;
   std::vector<Piece> pieces_;  ///< runs, the long ones cut

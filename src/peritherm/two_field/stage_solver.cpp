@@ -4,7 +4,7 @@ namespace peritherm {
 namespace {
 
 /// Points up to which factors are made and used faster than iterations go, measured.
-constexpr std::size_t most_factored_points[] = {0, 2000000, 20000, 4000};
+constexpr std::size_t most_factored_points[] = {0, 2000000, 1500, 500};
 constexpr std::size_t most_factored_rows = 1500;  ///< their range space is dense
 
 }  // namespace

@@ -12,14 +12,13 @@
 namespace peritherm {
 namespace {
 
-constexpr double residual_share = 1e-2;            ///< of a stage, over the error allowed
-constexpr double residual_of_fixed_steps = 1e-12;  ///< over the span of temperatures
-constexpr std::size_t most_stages = 6;             ///< step lengths whose factors are kept
-constexpr double same_shift = 1e-11;
+constexpr double residual_share = 1e-2;           ///< of a stage, over the error allowed
+constexpr double residual_of_fixed_steps = 1e-3;  ///< over the error of the step before
+constexpr double least_residual = 1e-12;          ///< over the span of temperatures
 /// A rate that backward Euler changes more in its first half step than this many times as in its second holds decays
 /// that are faster than the step.
 constexpr double stiff_change = 4.0;
-constexpr double impulse = 1e-11;      ///< length of a step onto the constraints, over the way to the first time
+constexpr double impulse = 1e-9;       ///< length of a step onto the constraints, over the way to the first time
 constexpr double first_change = 0.01;  ///< of the span of temperatures, in a first trial step
 
 void combine(double a, const std::vector<double>& x, double b, const std::vector<double>& y,
@@ -52,7 +51,7 @@ TwoFieldGs4::TwoFieldGs4(const GeneralisedSingleStep& options, const TwoFieldSys
       system_(system),
       parameters_(gs4_parameters(options)),
       sequence_(options.step),
-      method_(method.value_or(choose_stage_method(system, 0))) {
+      stages_(system, method) {
   const TwoFieldState zeros = system.make_state();
   const FieldPair pair{zeros.temperature, zeros.flux, zeros.account_heats};
   rate_ = corrected_ = corrected_before_ = new_rate_ = new_corrected_ = change_ = pair;
@@ -69,7 +68,8 @@ TwoFieldGs4::TwoFieldGs4(const GeneralisedSingleStep& options, const TwoFieldSys
 
 TwoFieldCount TwoFieldGs4::count() const {
   TwoFieldCount count = count_;
-  for (const auto& stage : stages_) count.factorisations += stage->factorisations();
+  count.factorisations = stages_.factorisations();
+  count.iterations = stages_.iterations();
   if (count.steps.accepted == 0) count.shortest_step = 0.0;
   return count;
 }
@@ -81,7 +81,7 @@ double TwoFieldGs4::march(double from, std::span<const double> times, TwoFieldSt
     reached_ = from;
   }
   for (const double to : times) {
-    begin(reached_, to, state);
+    begin(to, state);
     while (!sequence_.at_end()) {
       if (!step(state)) continue;
       reached_ = sequence_.time();
@@ -93,50 +93,47 @@ double TwoFieldGs4::march(double from, std::span<const double> times, TwoFieldSt
   return reached_;
 }
 
-void TwoFieldGs4::begin(double from, double to, TwoFieldState& state) {
-  if (started_) return sequence_.begin(from, to, sequence_.wanted());
-  if (sequence_.follows_errors()) meet_constraints(from, impulse * (to - from), state);
-  find_start(from, state);
-  started_ = true;
-  double first = to - from;
-  if (knows_rates_) {
-    const double size = rms(1.0, corrected_, 0.0, corrected_, 0.0, corrected_);
-    promise_ = size * first;
-    include(from, state);
-    if (size > 0.0) first = std::min(first, first_change * span_ / size);
-  } else {
-    promise_ = 0.0;
-    include(from, state);
-    first *= first_change;
-  }
-  // Rates promise more than happens where they decay at once.
-  promise_ = 0.0;
-  sequence_.begin(from, to, first);
-}
-
-/// Where start values jump the heat of the jump passes in an impulse: rates exist only after it.
-void TwoFieldGs4::meet_constraints(double from, double length, TwoFieldState& state) {
-  const auto fault = find_start_fault(system_, from, state.temperature);
-  if (!fault || options_.start == SingleStepStart::consistent) return;
-  include(from, state);
-  solve(backward_euler, from, length, corrected_, state);
-  add_change(state);
-}
-
-void TwoFieldGs4::find_start(double from, TwoFieldState& state) {
+void TwoFieldGs4::begin(double to, TwoFieldState& state) {
+  if (started_) return sequence_.begin(reached_, to, sequence_.wanted());
   lowest_ = std::numeric_limits<double>::infinity();
   highest_ = -lowest_;
-  const auto fault = find_start_fault(system_, from, state.temperature);
+  find_start(to, state);
+  started_ = true;
+  include(reached_, state);
+  double first = to - reached_;
+  if (knows_rates_) {
+    const double size = rms(1.0, corrected_, 0.0, corrected_, 0.0, corrected_);
+    const double scale = lowest_ < highest_ ? span_ : size * first;
+    if (size > 0.0) first = std::min(first, first_change * scale / size);
+  }
+  sequence_.begin(reached_, to, first);
+}
+
+void TwoFieldGs4::find_start(double to, TwoFieldState& state) {
+  const auto fault = find_start_fault(system_, reached_, state.temperature);
   if (fault && options_.start == SingleStepStart::consistent) throw inconsistent_start(system_, *fault);
-  knows_rates_ = !fault;
   has_history_ = false;
+  step_error_ = 0.0;
   rate_step_ = 0.0;
   starting_ = options_.start != SingleStepStart::consistent || sequence_.follows_errors();
-  if (fault) return;
-  make_consistent(system_, from, state);
+  knows_rates_ = false;
+  if (fault && !sequence_.follows_errors()) return;
+  if (fault) meet_constraints(to, state);
+  make_consistent(system_, reached_, state);
   corrected_ = {state.temperature_rate, state.flux_rate, state.account_rates};
-  if (system_.loads().account_rates) system_.loads().account_rates(from, state.multipliers, corrected_.accounts);
+  if (system_.loads().account_rates) system_.loads().account_rates(reached_, state.multipliers, corrected_.accounts);
   rate_ = corrected_;
+  knows_rates_ = true;
+}
+
+/// Start values that jump come to meet what holds them in no time, whatever the step: the error of that is none.
+void TwoFieldGs4::meet_constraints(double to, TwoFieldState& state) {
+  const double length = impulse * (to - reached_);
+  include(reached_, state);
+  solve(backward_euler, reached_, length, corrected_, state);
+  add_change(state);
+  reached_ += length;
+  record(reached_, length, state);
 }
 
 bool TwoFieldGs4::step(TwoFieldState& state) { return starting_ ? start_step(state) : single_step(state); }
@@ -195,7 +192,8 @@ bool TwoFieldGs4::single_step(TwoFieldState& state) {
   const double gamma = parameters_.gamma, lag = parameters_.lag();
   combine(1.0 / (gamma * length), change_, -(1.0 - gamma) / gamma, rate_, new_rate_);
   combine(1.0 - lag, new_rate_, lag, rate_, new_corrected_);
-  const double error = sequence_.follows_errors() ? error_of_step(length) / allowed() : 0.0;
+  step_error_ = error_of_step(length);
+  const double error = sequence_.follows_errors() ? step_error_ / allowed() : 0.0;
   if (!(error <= 1.0)) return reject(error);
   add_change(state);
   std::swap(rate_, new_rate_);
@@ -224,7 +222,7 @@ void TwoFieldGs4::record(double time, double length, const TwoFieldState& state)
 
 /// c h³ T''' from the corrected rates of three times.
 double TwoFieldGs4::error_of_step(double length) const {
-  if (!has_history_) return allowed();
+  if (!has_history_) return sequence_.follows_errors() ? allowed() : 0.0;
   const double factor = 2.0 * parameters_.error_constant() * length * length * length / (length + step_before_);
   return rms(factor / length, new_corrected_, -factor / length - factor / step_before_, corrected_,
              factor / step_before_, corrected_before_);
@@ -261,7 +259,7 @@ void TwoFieldGs4::include(double time, const TwoFieldState& state) {
     highest_ = std::max(highest_, value);
   }
   const double size = std::max(std::abs(lowest_), std::abs(highest_));
-  span_ = std::max({highest_ - lowest_, 1e-9 * size, promise_, 1e-150});
+  span_ = std::max({highest_ - lowest_, 1e-9 * size, 1e-150});
 }
 
 void TwoFieldGs4::show_rates(TwoFieldState& state) const {
@@ -365,34 +363,17 @@ void TwoFieldGs4::guess(double length) {
 /// change_ and multipliers_ of a step from `state`.
 void TwoFieldGs4::solve(const Gs4Parameters& with, double time, double length, const FieldPair& rate,
                         const TwoFieldState& state) {
-  StageSolver& solver = stage(with.shift(length));
+  StageSolver& solver = stages_.at(with.shift(length));
   if (solver.shift() != with.shift(length)) length = with.shift(1.0) / solver.shift();
   make_right(with, time, length, rate, state);
   if (knows_rates_) guess(length);
   multipliers_ = state.multipliers;
   solver.set_resistance(system_.resistances(time + length));
-  const double tolerance = sequence_.follows_errors() ? residual_share * allowed() : residual_of_fixed_steps * span_;
-  solver.solve(heat_, rows_, tolerance, change_.temperature, multipliers_);
+  const double wanted = sequence_.follows_errors() ? residual_share * allowed() : residual_of_fixed_steps * step_error_;
+  solver.solve(heat_, rows_, std::max(wanted, least_residual * span_), change_.temperature, multipliers_);
   ++count_.steps.evaluations;
   if (system_.has_fluxes()) complete_flux(with.shift(length));
   make_accounts(with, time, length, rate, state);
-}
-
-/// The solver for a shift, kept from before if there is one.
-StageSolver& TwoFieldGs4::stage(double shift) {
-  const auto found = std::find_if(stages_.begin(), stages_.end(), [shift](const auto& stage) {
-    return std::abs(stage->shift() - shift) <= same_shift * shift;
-  });
-  if (found != stages_.end()) {
-    std::rotate(stages_.begin(), found, found + 1);
-    return *stages_.front();
-  }
-  if (stages_.size() == most_stages) {
-    count_.factorisations += stages_.back()->factorisations();
-    stages_.pop_back();
-  }
-  stages_.insert(stages_.begin(), make_stage_solver(method_, system_, shift));
-  return *stages_.front();
 }
 
 }  // namespace peritherm

@@ -5,7 +5,7 @@
 
 #include "peritherm/integrators/gs4_parameters.hpp"
 #include "peritherm/integrators/step_sequence.hpp"
-#include "peritherm/two_field/stage_solver.hpp"
+#include "peritherm/two_field/stage_cache.hpp"
 #include "peritherm/two_field/two_field_integrator.hpp"
 
 namespace peritherm {
@@ -34,9 +34,9 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
   const FieldPair& raw_rate() const { return rate_; }
 
  private:
-  void begin(double from, double to, TwoFieldState& state);
-  void meet_constraints(double from, double length, TwoFieldState& state);
-  void find_start(double from, TwoFieldState& state);
+  void begin(double to, TwoFieldState& state);
+  void find_start(double to, TwoFieldState& state);
+  void meet_constraints(double to, TwoFieldState& state);
   bool step(TwoFieldState& state);
   bool start_step(TwoFieldState& state);
   void take_start(double half, double error, TwoFieldState& state, const TwoFieldState& trial);
@@ -57,16 +57,14 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
   double error_of_step(double length) const;
   double rms(double a, const FieldPair& x, double b, const FieldPair& y, double c, const FieldPair& z) const;
   double allowed() const { return options_.relative_tolerance * span_; }
-  StageSolver& stage(double shift);
 
   GeneralisedSingleStep options_;
   const TwoFieldSystem& system_;
   Gs4Parameters parameters_;
   StepSequence sequence_;
-  StageMethod method_;
-  std::vector<std::unique_ptr<StageSolver>> stages_;  ///< the last used first
-  FieldPair rate_;                                    ///< v(n), for a step of rate_step_
-  FieldPair corrected_, corrected_before_;            ///< the rate now, and step_before_ ago
+  StageCache stages_;
+  FieldPair rate_;                          ///< v(n), for a step of rate_step_
+  FieldPair corrected_, corrected_before_;  ///< the rate now, and step_before_ ago
   FieldPair new_rate_, new_corrected_;
   FieldPair change_;                 ///< of a step; the flux's part that temperatures do not bring, at first
   std::vector<double> multipliers_;  ///< at the end of a step
@@ -76,8 +74,9 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
   std::vector<double> flux_weights_;  ///< √(τ / (k ρ c)) of each part: a flux as a temperature [K m²/W]
   TwoFieldCount count_;
   double reached_ = 0.0, rate_step_ = 0.0, step_before_ = 0.0;  ///< [s]
+  double step_error_ = 0.0;                                     ///< estimate for the last step [K]
   bool started_ = false, starting_ = false, has_history_ = false, knows_rates_ = false;
-  double lowest_ = 0.0, highest_ = 0.0, promise_ = 0.0, span_ = 0.0;  ///< [K]
+  double lowest_ = 0.0, highest_ = 0.0, span_ = 0.0;  ///< [K]
 };
 
 }  // namespace peritherm

@@ -18,6 +18,7 @@ struct TwoFieldFollower {
 struct TwoFieldCount {
   StepCount steps;  ///< evaluations: solved linear systems
   long factorisations = 0;
+  long iterations = 0;                             ///< of conjugate gradients
   double largest_residual = 0.0;                   ///< of a constraint after any step [K]
   double longest_step = 0.0, shortest_step = 0.0;  ///< [s]
 };
