@@ -180,8 +180,13 @@ Problem inclusion_problem_2018(int cells, double resistance) {
     problem.contacts.push_back({{"inclusion", "plate"}, ContactResistance{Profile(resistance)}});
   }
   const std::string outside = fmt::format("x*(1 + ({:.17g})/(x^2 + y^2))", disc.dipole());
-  for (const Face face : {Face::x_min, Face::x_max, Face::y_min, Face::y_max}) {
+  // Below and above the dipole's flux k dT/dn enters, so that no corner is held twice.
+  const std::string flux = fmt::format("-({:.17g})*x/(x^2 + y^2)^2", 2.0 * disc.conductivity_outside * disc.dipole());
+  for (const Face face : {Face::x_min, Face::x_max}) {
     problem.boundaries.push_back({face, std::nullopt, HeldTemperature{Profile(outside), {}, {}}});
+  }
+  for (const Face face : {Face::y_min, Face::y_max}) {
+    problem.boundaries.push_back({face, std::nullopt, PrescribedFlux{Profile(flux)}});
   }
   problem.initial.temperature =
       Profile(fmt::format("x^2 + y^2 < {:.17g} ? {:.17g}*x : {}", disc.radius * disc.radius, disc.slope(), outside));
@@ -311,7 +316,8 @@ ReportSection inclusion_section_2018(PaperRuns& runs) {
   section.blocks.push_back(ReportText{
       "A disc that conducts five times better than the plate around it, with a contact resistance, in a gradient: "
       "inside "
-      "the temperature is linear, outside a dipole. The sides of the square are held at the exact values; steady. The "
+      "the temperature is linear, outside a dipole. The square is held at the exact temperature on the left and right, "
+      "below and above the exact flux enters; steady. The "
       "points stand on the grid of the plate, and cells that the circle crosses are shared."});
   section.blocks.push_back(inclusion_picture_2018(computed, cells.size(), runs));
   section.blocks.push_back(std::move(table));
