@@ -107,7 +107,7 @@ TEST(TemporalOrder, every_member_of_the_single_step_family_is_of_second_order) {
   const std::pair<double, double> members[] = {{1.0, 1.0}, {1.0, 0.5}, {1.0, 0.0}, {0.5, 0.5}, {0.5, 0.0}, {0.0, 0.0}};
   for (const auto& [rho, rho_rate] : members) {
     std::vector<double> steps, errors;
-    for (const int count : {80, 160, 320}) {
+    for (const int count : {40, 80, 160}) {
       steps.push_back(end / count);
       const std::vector<double> found = solve(changing_plate(), single_steps(rho, rho_rate, end / count), end);
       errors.push_back(largest_difference(found, reference));
@@ -122,7 +122,7 @@ TEST(TemporalOrder, single_steps_with_error_control_shrink_errors_with_the_toler
   const double end = 0.2;
   const std::vector<double> reference = solve(changing_plate(), RungeKutta4{end / 800, 0.9}, end);
   for (const SingleStepMethod method : {SingleStepMethod::midpoint, SingleStepMethod::bdf2}) {
-    for (const double tolerance : {1e-4, 1e-6}) {
+    for (const double tolerance : {1e-3, 1e-5}) {
       Problem problem = changing_plate();
       GeneralisedSingleStep options;
       options.method = method;
