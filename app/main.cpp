@@ -180,7 +180,7 @@ int print_schema(const Arguments& arguments) {
 CLI::App* add_papers_verb(CLI::App& program, PapersArguments& arguments) {
   CLI::App* verb = program.add_subcommand(
       "papers", "computes every example of the papers and writes one report beside their figures");
-  verb->add_option("name", arguments.names, "bobaru_2010, bobaru_2012, mei_2021, galadima; default: all")
+  verb->add_option("name", arguments.names, "bobaru_2010, bobaru_2012, mei_2021, galadima, xue_2018; default: all")
       ->type_name("NAME");
   verb->add_flag("--quick", arguments.quick, "coarser and fewer runs: a minute or two");
   verb->add_option("--output", arguments.output, "folder of the report; default: results/papers")->type_name("DIR");
