@@ -53,7 +53,9 @@ TEST_F(TwoFieldIda, keeps_its_tolerance_whatever_the_index) {
       EXPECT_LT(largest_difference(state.multipliers, exact.multipliers), 100.0 * tolerance) << layers.name;
       EXPECT_LT(count.largest_residual, 1e-12) << layers.name;
       EXPECT_EQ(seen, 2);
-      if (before > 0.0) EXPECT_LT(error, 0.2 * before) << layers.name;
+      if (before > 0.0) {
+        EXPECT_LT(error, 0.2 * before) << layers.name;
+      }
       before = error;
     }
   }

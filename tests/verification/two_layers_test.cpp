@@ -84,7 +84,7 @@ TEST_P(TwoLayersTest, have_the_values_of_the_prototype) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Prototype, TwoLayersTest, testing::ValuesIn(prototype_values),
-                         [](const auto& info) { return "case_" + std::to_string(info.index); });
+                         [](const auto& tested) { return "case_" + std::to_string(tested.index); });
 
 TEST(TwoLayersMarch, keeps_the_heat_of_an_insulated_body) {
   for (const TwoLayers& layers : two_layers) {

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "peritherm/base/text.hpp"
+#include "peritherm/integrators/gs4_parameters.hpp"
 #include "peritherm/operators/fourier_sum.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/checker.hpp"
@@ -156,6 +157,12 @@ void check_kind(Checker& checker, const std::string& key, const PictureOutput& p
   if (!in_box(grid, place)) checker.add(key + ".at", "the slice is outside the body", box_text(grid));
 }
 
+void check_kind(Checker& checker, const std::string& key, const ContactOutput&) {
+  if (checker.problem.nonlocality.model == Model::two_field) return;
+  checker.add(key + ".type", "'contact' tells both sides of interfaces, which a body of one field does not know",
+              "Choose nonlocality.model = \"two_field\", or set probes on both sides");
+}
+
 template <class Other>
 void check_kind(Checker&, const std::string&, const Other&) {}
 
@@ -260,6 +267,10 @@ void check_numerics(Checker& checker) {
   std::visit(
       [&checker](const auto& chosen) {
         if constexpr (requires { chosen.preconditioner; }) check_crack_growth(checker, chosen.name);
+        if constexpr (requires { chosen.rho_infinity; }) {
+          const Issue fault = find_fault(chosen);
+          if (!fault.problem.empty()) checker.add(fault.where.key, fault.problem, fault.hint);
+        }
         if constexpr (requires { chosen.safety; }) {
           if (chosen.safety > 0.0) return;
           checker.add("time.integrator.safety", "must be positive", "Got " + shortest(chosen.safety));

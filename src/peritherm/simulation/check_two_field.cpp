@@ -29,6 +29,9 @@ void refuse_in_bonds(Checker& checker) {
     if (region.points == PartPoints::rings) refuse(key + ".points");
   }
   if (problem.initial.heat_flux) refuse("initial.heat_flux");
+  if (std::holds_alternative<DifferentialAlgebraic>(problem.time.integrator)) {
+    checker.add("time.integrator", "'ida' integrates bodies of two fields", "Choose \"cvode\" for one field");
+  }
 }
 
 void refuse_imposed(Checker& checker) {

@@ -7,6 +7,29 @@
 
 namespace peritherm {
 
+namespace {
+
+void add_two_field(const RunSummary& summary, nlohmann::ordered_json& json) {
+  if (const auto& plan = summary.plan; plan.two_field) {
+    json["parts"] = plan.two_field->parts;
+    json["interfaces"] = plan.two_field->interfaces;
+    json["multipliers"] = plan.two_field->multipliers;
+    json["index"] = plan.two_field->index;
+  }
+  if (summary.two_field) {
+    json["factorisations"] = summary.two_field->factorisations;
+    json["largest_constraint_residual_K"] = summary.two_field->largest_residual;
+    json["shortest_step_s"] = summary.two_field->shortest_step;
+    json["longest_step_s"] = summary.two_field->longest_step;
+    json["lowest_temperature"] = summary.two_field->lowest;
+    json["highest_temperature"] = summary.two_field->highest;
+    json["lowest_given_temperature"] = summary.two_field->lowest_given;
+    json["highest_given_temperature"] = summary.two_field->highest_given;
+  }
+}
+
+}  // namespace
+
 void write_summary(const RunSummary& summary, const std::filesystem::path& folder) {
   const Plan& plan = summary.plan;
   const auto evaluations = static_cast<double>(summary.count.evaluations);
@@ -33,22 +56,7 @@ void write_summary(const RunSummary& summary, const std::filesystem::path& folde
       {"energy_relative_residual", summary.energy_relative_residual},
       {"end_time_s", summary.end_time},
   };
-  if (plan.two_field) {
-    json["parts"] = plan.two_field->parts;
-    json["interfaces"] = plan.two_field->interfaces;
-    json["multipliers"] = plan.two_field->multipliers;
-    json["index"] = plan.two_field->index;
-  }
-  if (summary.two_field) {
-    json["factorisations"] = summary.two_field->factorisations;
-    json["largest_constraint_residual_K"] = summary.two_field->largest_residual;
-    json["shortest_step_s"] = summary.two_field->shortest_step;
-    json["longest_step_s"] = summary.two_field->longest_step;
-    json["lowest_temperature"] = summary.two_field->lowest;
-    json["highest_temperature"] = summary.two_field->highest;
-    json["lowest_given_temperature"] = summary.two_field->lowest_given;
-    json["highest_given_temperature"] = summary.two_field->highest_given;
-  }
+  add_two_field(summary, json);
   write_file(folder / "summary.json", json.dump(2) + "\n");
 }
 

@@ -16,6 +16,12 @@ struct RowProfile {
   bool inverse = false;  ///< R = 1 / value
 };
 
+[[noreturn]] void refuse_resistance(double value, const Point& place, double time) {
+  throw Error("a contact's resistance is " + std::to_string(value) + " m^2 K/W at t = " + std::to_string(time) +
+                  " s, x = " + std::to_string(place[0]) + " m",
+              "Let its expression stay positive", Fault::numerics);
+}
+
 /// The profiles of a two-field body, compiled once.
 struct CompiledLoads {
   std::vector<RowProfile> resistances, surroundings;
@@ -35,13 +41,23 @@ struct CompiledLoads {
       }
     }
   }
-};
 
-void refuse_resistance(double value, const Point& place, double time) {
-  throw Error("a contact's resistance is " + std::to_string(value) + " m^2 K/W at t = " + std::to_string(time) +
-                  " s, x = " + std::to_string(place[0]) + " m",
-              "Let its expression stay positive", Fault::numerics);
-}
+  void fill_resistance(double time, Field resistance) {
+    std::copy(fixed_resistance.begin(), fixed_resistance.end(), resistance.begin());
+    fill(resistances, time, resistance);
+    for (std::size_t r = 0; r < resistance.size(); ++r) {
+      if (!(resistance[r] >= 0.0)) refuse_resistance(resistance[r], positions[r], time);
+    }
+  }
+
+  void fill_rates(double time, ConstField multipliers, Field rates) {
+    std::fill(rates.begin(), rates.end(), 0.0);
+    for (std::size_t r = 0; r < multipliers.size(); ++r) {
+      if (account_of[r] >= 0) rates[static_cast<std::size_t>(account_of[r])] -= areas[r] * multipliers[r];
+    }
+    for (LoadedEntries& entries : heating) rates[static_cast<std::size_t>(entries.account)] += entries.sum(time);
+  }
+};
 
 const ContactLaw& law_of_contact(const Problem& problem, int contact) {
   static const ContactLaw perfect{PerfectContact{}};
@@ -128,13 +144,7 @@ TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& bo
   compiled->heating = surface_fluxes;
   collect_sources(problem, body, *compiled);
   TwoFieldLoads loads;
-  loads.resistance = [compiled](double time, Field resistance) {
-    std::copy(compiled->fixed_resistance.begin(), compiled->fixed_resistance.end(), resistance.begin());
-    compiled->fill(compiled->resistances, time, resistance);
-    for (std::size_t r = 0; r < resistance.size(); ++r) {
-      if (!(resistance[r] >= 0.0)) refuse_resistance(resistance[r], compiled->positions[r], time);
-    }
-  };
+  loads.resistance = [compiled](double time, Field resistance) { compiled->fill_resistance(time, resistance); };
   for (RowProfile& entry : compiled->resistances) {
     loads.resistance_depends_on_time = loads.resistance_depends_on_time || entry.profile.depends_on_time();
   }
@@ -152,13 +162,7 @@ TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& bo
   }
   loads.accounts = problem.boundaries.size() + (problem.sources.empty() ? 0 : 1);
   loads.account_rates = [compiled](double time, ConstField multipliers, Field rates) {
-    std::fill(rates.begin(), rates.end(), 0.0);
-    for (std::size_t r = 0; r < multipliers.size(); ++r) {
-      const int account = compiled->account_of[r];
-      if (account >= 0) rates[static_cast<std::size_t>(account)] -= compiled->areas[r] * multipliers[r];
-    }
-    for (LoadedEntries& entries : compiled->heating)
-      rates[static_cast<std::size_t>(entries.account)] += entries.sum(time);
+    compiled->fill_rates(time, multipliers, rates);
   };
   return loads;
 }

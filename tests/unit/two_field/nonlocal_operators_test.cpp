@@ -319,7 +319,9 @@ TEST(NonlocalOperators, a_uniform_flux_heats_nothing_where_cells_are_cut) {
     for (const ClosedPart& body : parts_with_ball(dimension, dimension == 2 ? 20 : 12, 2.0, 0.35)) {
       const NonlocalOperators operators = operators_of(body);
       for (int axis = 0; axis < dimension; ++axis) {
-        EXPECT_LT(patch_residual(body, operators, axis), 1e-14) << body.part.name << " in " << dimension;
+        // Sums over the 12 or 32 bonds of a point and those of its neighbours' rows.
+        const std::size_t terms = dimension == 2 ? 24 : 64;
+        EXPECT_LT(patch_residual(body, operators, axis), rounding(terms, 1.0)) << body.part.name << " in " << dimension;
       }
       const Gradient found(operators, linear_field(body.part));
       for (std::size_t i = 0; i < body.part.size(); ++i) EXPECT_NEAR(found.values[0][i], slope[0], 1e-12);
