@@ -55,8 +55,10 @@ TEST(KrylovProperty, rates_lie_above_those_of_the_full_system) {
     };
     const std::vector<double> reduced = rates(basis), full = rates(all);
     RC_ASSERT(reduced.size() <= full.size());
-    // Cauchy's interlacing, but for the rounding of the products and of the eigenvalue problem.
-    const double rounding = 1e-13 * static_cast<double>(full.size()) * full.back();
+    // Cauchy's interlacing, but for the rounding of the products and of the eigenvalue problem. Where cracks cut every
+    // bond the rates are what is left of the stencil's after these were taken off, far below its own.
+    const double scale = std::max(full.back(), body->system().fastest_rate());
+    const double rounding = 1e-13 * static_cast<double>(full.size()) * scale;
     for (std::size_t k = 0; k < reduced.size(); ++k) {
       RC_ASSERT(reduced[k] >= full[k] - rounding);
       RC_ASSERT(reduced[k] <= full[full.size() - reduced.size() + k] + rounding);
