@@ -63,9 +63,10 @@ std::string two_field_check_text(const Plan& plan) {
 
 /// Constraints, and temperatures beyond those that were given, which nonlocal waves may reach.
 std::string two_field_summary_text(const TwoFieldSummary& summary) {
-  std::string text = fmt::format("{}, constraints hold to {:.2g} K\n",
-                                 counted(static_cast<std::size_t>(summary.factorisations), "factorisation", "factorisations"),
-                                 summary.largest_residual);
+  std::string text =
+      fmt::format("{}, constraints hold to {:.2g} K\n",
+                  counted(static_cast<std::size_t>(summary.factorisations), "factorisation", "factorisations"),
+                  summary.largest_residual);
   text += fmt::format("temperatures from {:.6g} to {:.6g} (start and surroundings: {:.6g} to {:.6g})\n", summary.lowest,
                       summary.highest, summary.lowest_given, summary.highest_given);
   return text;

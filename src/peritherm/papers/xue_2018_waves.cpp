@@ -34,10 +34,10 @@ ContactTask front_task_2018(double stabilisation, double ratio) {
 }
 
 struct FrontErrors2018 {
-  double mean = 0.0;        ///< of |T − exact|
-  double lowest = 0.0;      ///< temperature
-  double overshoot = 0.0;   ///< above the held end
-  double sawtooth = 0.0;    ///< half of the largest second difference well behind the front
+  double mean = 0.0;       ///< of |T − exact|
+  double lowest = 0.0;     ///< temperature
+  double overshoot = 0.0;  ///< above the held end
+  double sawtooth = 0.0;   ///< half of the largest second difference well behind the front
   std::array<double, 3> arrivals{};
 };
 
@@ -106,7 +106,9 @@ void add_front_rows_2018(ReportTable& table, const xue_2018_values::FrontValues&
                            .near(ValueKind::defaults, ValueKind::recomputed, 2e-3));
   table.rows.push_back(
       ReportRow(name + ": lowest temperature after any step", {3, false}).defaults(run.summary.lowest).exact(0.0));
-  table.rows.push_back(ReportRow(name + ": highest temperature after any step, above the held end", {3, false}).defaults(errors.overshoot).exact(0.0));
+  table.rows.push_back(ReportRow(name + ": highest temperature after any step, above the held end", {3, false})
+                           .defaults(errors.overshoot)
+                           .exact(0.0));
   table.rows.push_back(ReportRow(name + ": sawtooth behind the front", {4, false})
                            .defaults(errors.sawtooth)
                            .below("sawtooth", errors.sawtooth, 5e-3));

@@ -112,8 +112,7 @@ double length_of(const Layers& options) {
 
 TemperatureAt prepare(const RampedLayers& bar) {
   const DrivenLayers layers =
-      DrivenLayers(contact_layers(bar), FarEnd::held, TemperatureRamp{bar.held - bar.start, bar.rise_time})
-          .quick();
+      DrivenLayers(contact_layers(bar), FarEnd::held, TemperatureRamp{bar.held - bar.start, bar.rise_time}).quick();
   return [layers, start = bar.start, length = length_of(bar)](const Point& place, double time) {
     return start + layers.temperature(inside(place[0], length, RampedLayers::name), time);
   };
@@ -121,8 +120,7 @@ TemperatureAt prepare(const RampedLayers& bar) {
 
 TemperatureAt prepare(const PulsedLayers& bar) {
   const DrivenLayers layers =
-      DrivenLayers(contact_layers(bar), FarEnd::insulated, FluxPulse{bar.energy, bar.pulse_time})
-          .quick();
+      DrivenLayers(contact_layers(bar), FarEnd::insulated, FluxPulse{bar.energy, bar.pulse_time}).quick();
   return [layers, start = bar.start, length = length_of(bar)](const Point& place, double time) {
     return start + layers.temperature(inside(place[0], length, PulsedLayers::name), time);
   };
