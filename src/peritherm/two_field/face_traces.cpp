@@ -60,7 +60,8 @@ std::optional<Trace> FaceTraces::at(const SurfacePoint& place) const {
       face[first_axis] += (y - 0.5 * (count - 1)) * part_.spacing;
       if (dimension_ == 3) face[second_axis] += (z - 0.5 * (count - 1)) * part_.spacing;
       const std::optional<Trace> row = row_below(face, axis, side);
-      if (!row || ends_beside(row->points.front(), axis)) return std::nullopt;
+      const bool outside = place.second < 0;
+      if (!row || (outside && ends_beside(row->points.front(), axis))) return std::nullopt;
       result.points.insert(result.points.end(), row->points.begin(), row->points.end());
       for (const double weight : row->weights) result.weights.push_back(weight / (count * z_count));
     }
@@ -68,7 +69,7 @@ std::optional<Trace> FaceTraces::at(const SurfacePoint& place) const {
   return result;
 }
 
-/// At a corner both faces' rows would carry on to one and the same temperature of the corner, and hold it twice.
+/// At a corner of the outside both faces' rows would carry on to one and the same temperature, and hold it twice.
 bool FaceTraces::ends_beside(PointIndex first, int axis) const {
   for (int along = 0; along < dimension_; ++along) {
     for (const int step : {-1, 1}) {

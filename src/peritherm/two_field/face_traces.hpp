@@ -15,7 +15,7 @@ class FaceTraces {
   FaceTraces(int dimension, const SubDomain& part, const Families& families);
 
   /// None where the place is not the middle of one or several faces of cells, its rows of points are too short, or a
-  /// face ends there.
+  /// face of the outside ends there.
   std::optional<Trace> at(const SurfacePoint& place) const;
 
  private:
