@@ -9,7 +9,7 @@
 namespace peritherm {
 
 /// The least change of the gradient, Σ dG² / W with W = V_j / |ξ|², that keeps linear temperatures exact and gives
-/// Green's identity on the traces:
+/// Green's identity on the traces, as operators with summation by parts have it [fernandez2014]:
 ///   Σ_j dG_ij = 0,   Σ_j dG_ij ξ_ij = 0,   Vᵀ (G + dG)_a = Σ_p A_p n_pa P_p.
 /// dG = W z belongs to multipliers μ that minimise the energy of what is not linear along bonds (z), a sparse symmetric
 /// system; one factor serves all axes. Only points below the surface change, as far as Vᵀ G or a trace reaches, so that

@@ -10,6 +10,9 @@ namespace peritherm {
 namespace {
 
 constexpr long most_stage_iterations = 2000;
+/// Of what the right side brings: below, rounding moves the residual; up to the second, iterations that rounding ends
+/// have done what they can.
+constexpr double rounding_share = 1e-15, enough_share = 1e-11;
 
 /// The same bits for any number of threads.
 double sum_of_products(ConstField a, ConstField b) {
@@ -73,12 +76,14 @@ class IterativeStage final : public StageSolver {
       std::copy(rows.begin(), rows.end(), left_.begin());
       matrix_.subtract(x, multipliers, resistance_, residual_, left_);
     };
+    preconditioner_.solve(heat, rows, z_, w_);
+    const double brought = std::abs(sum_of_products(heat, z_)) + std::abs(sum_of_products(rows, w_));
     measure();
     preconditioner_.solve(residual_, left_, z_, w_);
     add_multiple(1.0, z_, x);
     add_multiple(1.0, w_, multipliers);
     measure();
-    iterate(tolerance, x, multipliers);
+    iterate(tolerance, brought, x, multipliers);
     measure();
     preconditioner_.mend_rows(left_, z_, w_);
     add_multiple(1.0, z_, x);
@@ -93,19 +98,23 @@ class IterativeStage final : public StageSolver {
   }
 
  private:
-  void iterate(double tolerance, Field x, Field multipliers) {
+  void iterate(double tolerance, double brought, Field x, Field multipliers) {
     const std::vector<double> nothing(left_.size(), 0.0);
     preconditioner_.solve(residual_, nothing, z_, w_);
     direction_ = z_;
     turn_ = w_;
     // The error in the energy of A, which is above that of σ ρ c V.
-    const double least = tolerance * tolerance * shift() * capacity_;
+    const double least =
+        std::max(tolerance * tolerance * shift() * capacity_, rounding_share * rounding_share * brought);
     double square = sum_of_products(residual_, z_);
     for (long k = 0; square > least; ++k) {
       matrix_.product(direction_, image_);
       matrix_.system().contacts().add_adjoint(1.0, turn_, image_);
       const double curvature = sum_of_products(direction_, image_);
-      if (!(curvature > 0.0) || k == most_stage_iterations) give_up();
+      if (!(curvature > 0.0) || k == most_stage_iterations) {
+        if (square <= enough_share * enough_share * brought) return;
+        give_up();
+      }
       const double length = square / curvature;
       add_multiple(length, direction_, x);
       add_multiple(length, turn_, multipliers);

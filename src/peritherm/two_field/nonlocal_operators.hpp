@@ -14,11 +14,11 @@
 namespace peritherm {
 
 /// Gradient, divergence and stabilisation on the points of one part.
-///   G T = K⁻¹ Σ ω (T_j − T_i) ξ V_j with the shape tensor K = Σ ω ξ ξᵀ V_j, exact for linear T at every point;
+///   G T = K⁻¹ Σ ω (T_j − T_i) ξ V_j with the shape tensor K = Σ ω ξ ξᵀ V_j [silling2007], exact for linear T;
 ///   V div q = −Σ_a G_aᵀ V q_a, its adjoint;
-///   S = L − Gᵀ Q G₀ − G₀ᵀ Q G + Gᵀ Q G, the energy of what differs from the linear part along bonds, L the bond-based
-/// sum for k = 1 and Q = V tr(K⁻¹)/d K. G is G₀ after the Green-identity correction, Vᵀ G_a = Σ_p A_p n_a P_p with the
-/// traces P_p of all surface points. Uncorrected and for isotropic families Gᵀ V G + S = L.
+///   S = L − Gᵀ Q G₀ − G₀ᵀ Q G + Gᵀ Q G, the energy of what differs from the linear part along bonds [silling2017],
+/// L the bond-based sum for k = 1 and Q = V tr(K⁻¹)/d K. G is G₀ after the Green-identity correction, Vᵀ G_a = Σ_p A_p
+/// n_a P_p with the traces P_p of all surface points. Uncorrected and for isotropic families Gᵀ V G + S = L.
 class NonlocalOperators {
  public:
   /// `surface`: positions and normals out of the part. In 1-D traces come from Gᵀ V 1, and nothing is corrected.
