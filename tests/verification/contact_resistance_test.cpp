@@ -54,6 +54,10 @@ TEST(ContactResistance, two_layers_keep_their_exact_steady_state_wherever_they_t
         const StraightFlux exact{{1.0, 0.0, 0.0}, offset, 8.0, 1.0};
         Problem problem = touching_halves(dimension, 8, exact);
         problem.body.points = points;
+        // Its edges lie on faces, where bonds along the faces and mirrored ones meet them.
+        Coordinates corner(static_cast<std::size_t>(dimension), 1.0);
+        corner[0] = offset;
+        problem.body.regions[0].shape = Box{Coordinates(corner.size(), 0.0), corner};
         set_face(problem, Face::x_min, held_at(Profile(exact.expression())));
         set_face(problem, Face::x_max, held_at(Profile(exact.expression())));
         March run(problem);

@@ -177,12 +177,14 @@ double BondTracer::contact_resistance(const Stretch& before, const Stretch& afte
   const double resistance = contact_resistances_[from * body_.materials.size() + to];
   if (resistance == 0.0) return 0.0;
   // The later region overwrites the other one, so the surface between the two is its own.
-  const auto region = static_cast<std::size_t>(std::max(before.region, after.region));
-  const Point normal =
-      along_walls(surface_normal(body_.regions[region].shape, place, 1e-6 * body_.grid.spacing), place);
-  // A bond that meets surface and mirror in one place has two directions there, and its mirror image has the same two.
+  const bool leaves = before.region > after.region;
+  const Shape& shape = body_.regions[static_cast<std::size_t>(std::max(before.region, after.region))].shape;
+  // A bond that meets surface and mirror in one place has two directions there; what counts is what they share.
+  const Point bond = between(before.bond, after.bond, 0.5);
+  const Point outwards = scaled(bond, leaves ? 1.0 : -1.0);
+  const Point normal = along_walls(surface_normal(shape, place, outwards, 1e-6 * body_.grid.spacing), place);
   // One that only grazes the surface gets an infinite resistance.
-  return resistance / std::max(std::abs(dot(normal, before.bond)), std::abs(dot(normal, after.bond)));
+  return resistance / std::abs(dot(normal, bond));
 }
 
 void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,

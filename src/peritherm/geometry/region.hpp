@@ -93,9 +93,10 @@ void append_heights(const Shape& shape, const Point& point, std::vector<double>&
 /// Does the surface come as near to the point as `distance` [m]? Errs towards yes.
 bool surface_within(const Shape& shape, const Point& point, double distance);
 
-/// Outward unit normal at a place on the surface; where smooth pieces of it meet within `slack` [m], the direction of
-/// the sum of theirs. 0 where there is none, as in the centre of a ball without size.
-Point surface_normal(const Shape& shape, const Point& place, double slack);
+/// Outward unit normal at a place on the surface where something goes out of the shape in a direction of any length.
+/// Where smooth pieces of the surface meet within `slack` [m]: the direction of the sum of those through which it goes
+/// outwards, the others being grazed or entered. 0 if there are none.
+Point surface_normal(const Shape& shape, const Point& place, const Point& outwards, double slack);
 
 /// What is wrong with the shape in a body of this dimension; empty if nothing is.
 std::string find_fault(const Shape& shape, int dimension);

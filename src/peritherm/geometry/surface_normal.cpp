@@ -62,14 +62,15 @@ void append_pieces(const Polygon& polygon, const Point& x, SurfacePieces& pieces
 
 }  // namespace
 
-Point surface_normal(const Shape& shape, const Point& place, double slack) {
+Point surface_normal(const Shape& shape, const Point& place, const Point& outwards, double slack) {
   SurfacePieces pieces;
   std::visit([&](const auto& form) { append_pieces(form, place, pieces); }, shape);
   double nearest = std::numeric_limits<double>::infinity();
   for (const SurfacePiece& piece : pieces) nearest = std::min(nearest, piece.distance);
+  const double grazing = 1e-9 * length(outwards);
   Point sum{};
   for (const SurfacePiece& piece : pieces) {
-    if (piece.distance > nearest + slack) continue;
+    if (piece.distance > nearest + slack || dot(piece.normal, outwards) <= grazing) continue;
     for (std::size_t axis = 0; axis < sum.size(); ++axis) sum[axis] += piece.normal[axis];
   }
   return unit_vector(sum);

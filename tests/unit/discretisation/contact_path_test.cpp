@@ -103,16 +103,26 @@ TEST(ContactPath, a_grazing_bond_conducts_nothing_and_never_less) {
 
 TEST(ContactPath, mirrored_bonds_meet_the_mirrored_contact) {
   const Body body = square_in_contact(Box{{3.0, 0.0}, {8.0, 2.0}});
-  // The place y = -1.5 is mirrored to 1.5, inside the box.
-  const double straight = traced_conductivity(body, {2.5, 0.5, 0.0}, {4.5, 1.5, 0.0});
-  BondPath path;
-  BondTracer(body).trace({2.5, 0.5, 0.0}, 0, {4.5, -1.5, 0.0}, 1, path);
-  const double length_across = std::sqrt(8.0), share = 0.25;
-  const double expected =
-      length_across / (length_across * (share + (1.0 - share) / inner_conductivity) + contact_value * std::sqrt(2.0));
-  EXPECT_NEAR(path.conductivity, expected, rounding(20, expected));
-  // Both cross the surface once, and reach as far across it.
-  EXPECT_NEAR(path.conductivity, straight, rounding(20, expected));
+  const double length_across = std::sqrt(8.0);
+  // The first passes the surface before the mirror at y = 0, the second behind it, the third where the two meet.
+  for (const double x : {2.7, 2.3, 2.5}) {
+    const double share = (3.0 - x) / 2.0;
+    const double series = length_across * (share + (1.0 - share) / inner_conductivity) + contact_value * std::sqrt(2.0);
+    BondPath path;
+    BondTracer(body).trace({x, 0.5, 0.0}, 0, {x + 2.0, -1.5, 0.0}, 1, path);
+    EXPECT_NEAR(path.conductivity, length_across / series, rounding(20, length_across / series)) << x;
+  }
+}
+
+TEST(ContactPath, edges_of_a_surface_resist_as_its_face_that_the_bond_goes_through) {
+  const Body body = square_in_contact(Box{{3.0, 0.0}, {8.0, 2.0}});
+  const double elsewhere = traced_conductivity(body, {2.5, 1.0, 0.0}, {3.5, 1.0, 0.0});
+  EXPECT_DOUBLE_EQ(traced_conductivity(body, {2.5, 0.0, 0.0}, {3.5, 0.0, 0.0}), elsewhere);
+  EXPECT_DOUBLE_EQ(traced_conductivity(body, {2.5, 2.0, 0.0}, {3.5, 2.0, 0.0}), elsewhere);
+  // A point on an edge belongs to the box.
+  const double inclined = traced_conductivity(body, {2.5, 0.5, 0.0}, {3.0, 1.0, 0.0});
+  EXPECT_DOUBLE_EQ(traced_conductivity(body, {2.5, 0.5, 0.0}, {3.0, 0.0, 0.0}), inclined);
+  EXPECT_DOUBLE_EQ(traced_conductivity(body, {2.5, 1.5, 0.0}, {3.0, 2.0, 0.0}), inclined);
 }
 
 TEST(ContactPath, a_crack_along_the_surface_leaves_the_sides_of_its_points_alone) {

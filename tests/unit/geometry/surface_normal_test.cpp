@@ -11,9 +11,13 @@ namespace {
 
 constexpr double edge_slack = 1e-6;
 
-void expect_normal(const Shape& shape, const Point& place, const Point& expected) {
-  const Point normal = surface_normal(shape, place, edge_slack);
+void expect_outward_normal(const Shape& shape, const Point& place, const Point& outwards, const Point& expected) {
+  const Point normal = surface_normal(shape, place, outwards, edge_slack);
   EXPECT_LE(length(difference(normal, expected)), rounding(4, 1.0)) << shape.index();
+}
+
+void expect_normal(const Shape& shape, const Point& place, const Point& expected) {
+  expect_outward_normal(shape, place, expected, expected);
 }
 
 TEST(SurfaceNormal, points_out_of_every_shape) {
@@ -45,8 +49,17 @@ TEST(SurfaceNormal, at_an_edge_lies_half_way_between_those_of_the_faces) {
   expect_normal(Box{{0.0, 0.0}, {2.0, 1.0}}, {2.0, 1e-12, 0.0}, {half, -half, 0.0});
 }
 
+TEST(SurfaceNormal, leaves_out_faces_that_are_grazed_or_entered) {
+  const Shape square = Box{{0.0, 0.0}, {2.0, 1.0}};
+  expect_outward_normal(square, {2.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+  expect_outward_normal(square, {2.0, 0.0, 0.0}, {0.0, -0.1, 0.0}, {0.0, -1.0, 0.0});
+  expect_outward_normal(square, {2.0, 0.0, 0.0}, {0.2, 0.3, 0.0}, {1.0, 0.0, 0.0});
+  expect_outward_normal(square, {2.0, 0.5, 0.0}, {0.0, 1.0, 0.0}, {});
+  expect_outward_normal(square, {2.0, 0.5, 0.0}, {-1.0, 0.0, 0.0}, {});
+}
+
 TEST(SurfaceNormal, is_nothing_where_no_direction_is_outwards) {
-  expect_normal(Ball{{1.0, 1.0}, 0.5}, {1.0, 1.0, 0.0}, {});
+  expect_outward_normal(Ball{{1.0, 1.0}, 0.5}, {1.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {});
 }
 
 }  // namespace
