@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "peritherm/base/compensated_sum.hpp"
 #include "peritherm/discretisation/surface_pieces.hpp"
 #include "peritherm/geometry/vector.hpp"
 
@@ -54,9 +55,9 @@ class SurfaceCloser {
   SurfaceCloser(int dimension, const std::vector<SubDomain>& parts, std::vector<SurfacePiece>& pieces)
       : dimension_(dimension), pieces_(pieces), volumes_(parts.size(), 0.0) {
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      long double sum = 0.0;
-      for (const double volume : parts[p].volumes) sum += volume;
-      volumes_[p] = static_cast<double>(sum);
+      CompensatedSum sum;
+      for (const double volume : parts[p].volumes) sum.add(volume);
+      volumes_[p] = sum.value();
     }
     for (const SurfacePiece& piece : pieces_) {
       const double size = length(piece.area);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "peritherm/base/compensated_sum.hpp"
 #include "peritherm/base/error.hpp"
 #include "peritherm/base/larger.hpp"
 #include "peritherm/two_field/correction_energy.hpp"
@@ -121,8 +122,9 @@ std::optional<std::vector<GradientChange>> correct_band(const SubDomain& part, c
 
 /// Σ A n and Σ A n xᵀ − (Σ V) 1 of the surface, relative to its area and the volume.
 double closure_fault(const SubDomain& part, std::span<const SurfacePoint> surface, int dimension) {
-  double volume = 0.0, area = 0.0;
-  for (const double own : part.volumes) volume += own;
+  CompensatedSum volume;
+  for (const double own : part.volumes) volume.add(own);
+  double area = 0.0;
   Point sum{};
   Tensor moments{};
   for (const SurfacePoint& place : surface) {
@@ -136,8 +138,8 @@ double closure_fault(const SubDomain& part, std::span<const SurfacePoint> surfac
   }
   double fault = largest_of(sum) / area;
   for (int a = 0; a < dimension; ++a) {
-    moments[a][a] -= volume;
-    fault = std::max(fault, largest_of(moments[a]) / volume);
+    moments[a][a] -= volume.value();
+    fault = std::max(fault, largest_of(moments[a]) / volume.value());
   }
   return fault;
 }
