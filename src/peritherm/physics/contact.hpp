@@ -30,7 +30,7 @@ struct ContactResistance {
 /// q = h (T₁ − T₂).
 struct ContactConductance {
   Profile value;  ///< h [W/(m² K)]
-  static constexpr std::string_view name = "conductance";
+  static constexpr std::string_view name = "contact_conductance";
   static constexpr std::string_view help = "q = h (T1 - T2), one over a resistance";
   static constexpr auto options() {
     return std::tuple{required("value", &ContactConductance::value, "W/(m^2 K)", positive,
