@@ -20,10 +20,10 @@ struct Section {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all{
-      {"limits", measure_limits},   {"operator", measure_operators},  {"baselines", measure_baselines},
-      {"crack", measure_cracks},    {"stage", measure_stages},        {"setup", measure_setup},
-      {"threads", measure_threads}, {"memory", measure_memory},       {"solution", measure_solutions},
-      {"growth", measure_growth},   {"reduction", measure_reductions}};
+      {"limits", measure_limits},   {"operator", measure_operators},   {"baselines", measure_baselines},
+      {"crack", measure_cracks},    {"stage", measure_stages},         {"setup", measure_setup},
+      {"threads", measure_threads}, {"memory", measure_memory},        {"solution", measure_solutions},
+      {"growth", measure_growth},   {"reduction", measure_reductions}, {"contact", measure_contact}};
   return all;
 }
 
@@ -32,6 +32,7 @@ struct Arguments {
   std::vector<std::string> only;
   std::string json;
   std::vector<int> memory_of_run;
+  int costs_of_contact = 0;
 };
 
 void describe(CLI::App& app, Arguments& arguments) {
@@ -48,13 +49,18 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(1e5, 1e9))
       ->capture_default_str();
   app.add_option("--json", arguments.json, "file for all tables");
-  // Dimension and cells; the program starts itself with it.
+  // Dimension and cells, and cells; the program starts itself with them.
   app.add_option("--memory-of-run", arguments.memory_of_run)->expected(2)->group("");
+  app.add_option("--costs-of-contact", arguments.costs_of_contact)->group("");
 }
 
 int measure(const Arguments& arguments) {
   if (!arguments.memory_of_run.empty()) {
     print_memory_of_run(arguments.memory_of_run[0], arguments.memory_of_run[1]);
+    return 0;
+  }
+  if (arguments.costs_of_contact > 0) {
+    print_costs_of_contact(arguments.costs_of_contact);
     return 0;
   }
   Report report;

@@ -1,14 +1,14 @@
 #include "peritherm/simulation/memory.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <string>
 
 #include "bodies.hpp"
-#include "peritherm/base/error.hpp"
+#include "own_process.hpp"
 #include "peritherm/simulation/simulate.hpp"
 #include "sections.hpp"
 
@@ -21,18 +21,6 @@ double resident_bytes() {
   double total = 0.0, resident = 0.0;
   in >> total >> resident;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-double memory_of_run(const std::string& program, int dimension, int cells) {
-  const std::string command =
-      "'" + program + "' --memory-of-run " + std::to_string(dimension) + " " + std::to_string(cells);
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  double bytes = 0.0;
-  const bool read = pipe != nullptr && std::fscanf(pipe, "%lf", &bytes) == 1;
-  if (pipe == nullptr || pclose(pipe) != 0 || !read) {
-    throw Error("the run whose memory is measured failed", "Start it by hand: " + command, Fault::machine);
-  }
-  return bytes;
 }
 
 }  // namespace
@@ -62,7 +50,9 @@ void measure_memory(const Settings& settings, Report& report) {
   for (const BodyKind& kind : kinds) {
     double points = 1.0;
     for (int axis = 0; axis < kind.dimension; ++axis) points *= kind.cells;
-    const double bytes = memory_of_run(settings.program, kind.dimension, kind.cells) / points;
+    const double bytes =
+        figures_of_process(settings.program, fmt::format("--memory-of-run {} {}", kind.dimension, kind.cells), 1)[0] /
+        points;
     report.row({text_of(kind), bytes});
     report.aim("bytes per point, " + text_of(kind), bytes, Goal::at_most, 48.0);
   }

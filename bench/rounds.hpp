@@ -6,8 +6,8 @@
 namespace peritherm::bench {
 
 /// Which clock a comparison is made by: the processor time of the calling thread, which other programs do not spend,
-/// or the time of day, for work on several threads.
-enum class Clock { thread, wall };
+/// that of all threads, or the time of day.
+enum class Clock { thread, process, wall };
 double seconds(Clock clock);
 
 /// Middle value and range over the rounds.

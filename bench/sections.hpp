@@ -35,6 +35,12 @@ void measure_solutions(const Settings& settings, Report& report);
 void measure_growth(const Settings& settings, Report& report);
 /// What it costs to reduce a large plate, and what many answers save on a small one.
 void measure_reductions(const Settings& settings, Report& report);
+/// Two fields with a contact: a whole run, and how its cost grows with the points.
+void measure_contact(const Settings& settings, Report& report);
+
+/// What measure_contact starts in a process of its own: runs a plate of this many cells along each edge and prints
+/// seconds of the day, processor seconds of set-up and of steps, bytes and the largest residual of a constraint.
+void print_costs_of_contact(int cells);
 
 /// What measure_memory starts in a process of its own: runs a body of this size and prints how far the memory grew.
 void print_memory_of_run(int dimension, int cells);
