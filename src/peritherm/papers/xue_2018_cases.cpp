@@ -235,7 +235,7 @@ std::vector<ContactRun> march_contacts(PaperRuns& runs, const std::vector<Contac
 
 ContactErrors errors_of(const ContactRun& run, std::size_t time, const ContactMode& mode) {
   const double t = run.times[time];
-  double largest = 0.0, off = 0.0, largest_flux = 0.0, flux_off = 0.0;
+  double largest = 0.0, off = 0.0, largest_flux = 0.0, flux_off = 0.0, squares = 0.0;
   for (std::size_t i = 0; i < run.grid.size(); ++i) {
     const Point place = run.grid.position(run.grid.index(i));
     const std::size_t layer = place[0] < contact_place_2018 ? 0 : 1;
@@ -248,8 +248,10 @@ ContactErrors errors_of(const ContactRun& run, std::size_t time, const ContactMo
   for (std::size_t i = 0; i < contact.flux.size(); ++i) {
     const double exact = mode.flux_along_x(0, contact_place_2018, t, contact.positions[i][1]);
     flux_off = std::max(flux_off, std::abs(contact.flux[i] - exact));
+    squares += std::pow(contact.flux[i] - exact, 2);
   }
-  return {off / largest, flux_off / largest_flux};
+  return {off / largest, flux_off / largest_flux,
+          std::sqrt(squares / static_cast<double>(contact.flux.size())) / largest_flux};
 }
 
 double halving_order(double coarse, double fine) { return std::log2(coarse / fine); }

@@ -83,6 +83,7 @@ std::vector<ContactRun> march_contacts(PaperRuns& runs, const std::vector<Contac
 struct ContactErrors {
   double temperature = 0.0;  ///< largest over the points, over the largest temperature
   double flux = 0.0;         ///< largest over the contact, over the largest flux anywhere
+  double mean_flux = 0.0;    ///< root of the mean square over the contact, over the same
 };
 ContactErrors errors_of(const ContactRun& run, std::size_t time, const ContactMode& mode);
 

@@ -74,10 +74,11 @@ ReportTable plate_mode_table_2018(const std::vector<PlateSeries>& series, bool f
       table.rows.push_back(std::move(row));
     }
     const std::vector<ContactErrors>& errors = one.errors;
-    const auto size = [&](std::size_t k) { return flux ? errors[k].flux : errors[k].temperature; };
+    // Beside the insulated ends of a contact the flux is of first order, at ever fewer places.
+    const auto size = [&](std::size_t k) { return flux ? errors[k].mean_flux : errors[k].temperature; };
     const double order = halving_order(size(errors.size() - 2), size(errors.size() - 1));
-    ReportRow row(fmt::format("{}, κ = {}, s = {}: order of the last halving", one.known.name,
-                              one.known.wave ? "2π" : "0", one.known.stabilisation),
+    ReportRow row(fmt::format("{}, κ = {}, s = {}: order of the last halving{}", one.known.name,
+                              one.known.wave ? "2π" : "0", one.known.stabilisation, flux ? ", root mean square" : ""),
                   {2, false});
     row.defaults(order);
     // With 20 points per layer waves are hardly resolved yet.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -28,8 +29,22 @@ struct DrivenLayers::Wave {
   }
 };
 
+/// Waves depend on time and layer, not on the place: those of a whole profile are worked out once.
+struct DrivenLayers::Waves {
+  struct OfLayer {
+    double time = 0.0;
+    std::vector<Wave> terms;  ///< in the order in which the series asks for them
+  };
+  std::array<OfLayer, most_layers> layers;
+  std::mutex mutex;
+};
+
 DrivenLayers::DrivenLayers(std::vector<ContactLayer> layers, FarEnd far, const SurfaceDrive& drive, double wave_number)
-    : layers_(std::move(layers)), far_(far), drive_(drive), wave_number_(wave_number) {
+    : layers_(std::move(layers)),
+      far_(far),
+      drive_(drive),
+      wave_number_(wave_number),
+      waves_(std::make_shared<Waves>()) {
   if (layers_.size() > most_layers) {
     throw Error("the exact solution of driven layers is for at most " + std::to_string(most_layers) + " layers",
                 "Leave layers out, or join some");
@@ -45,6 +60,7 @@ DrivenLayers DrivenLayers::quick() const {
   DrivenLayers copy = *this;
   copy.tolerance_ = 1e-10;
   copy.terms_ = 4000;
+  copy.waves_ = std::make_shared<Waves>();
   return copy;
 }
 
@@ -92,21 +108,31 @@ DrivenLayers::Wave DrivenLayers::wave_in(std::size_t layer, std::complex<double>
   return waves[layer];
 }
 
-double DrivenLayers::temperature_in(std::size_t layer, double x, double time) const {
+double DrivenLayers::invert(std::size_t layer, double time, double scale,
+                            const std::function<std::complex<double>(const Wave&)>& transform) const {
   if (time <= 0.0) return 0.0;
+  const std::lock_guard lock(waves_->mutex);
+  Waves::OfLayer& known = waves_->layers[layer];
+  if (known.time != time) known = {time, {}};
+  std::size_t term = 0;
+  const auto next = [&](std::complex<double> s) {
+    if (term == known.terms.size()) known.terms.push_back(wave_in(layer, s));
+    return transform(known.terms[term++]);
+  };
+  return invert_laplace_series(next, time, tolerance_ * scale, terms_);
+}
+
+double DrivenLayers::temperature_in(std::size_t layer, double x, double time) const {
   const double y = x - begins_[layer];
   const double length = layers_[layer].length;
-  return invert_laplace_series([&](std::complex<double> s) { return wave_in(layer, s).temperature(y, length); }, time,
-                               tolerance_ * value_of_drive(), terms_);
+  return invert(layer, time, value_of_drive(), [=](const Wave& wave) { return wave.temperature(y, length); });
 }
 
 double DrivenLayers::flux_in(std::size_t layer, double x, double time) const {
-  if (time <= 0.0) return 0.0;
   const double y = x - begins_[layer];
   const double length = layers_[layer].length;
-  const double scale = layers_[layer].conductivity / length;
-  return invert_laplace_series([&](std::complex<double> s) { return wave_in(layer, s).flux(y, length); }, time,
-                               tolerance_ * value_of_drive() * scale, terms_);
+  return invert(layer, time, value_of_drive() * layers_[layer].conductivity / length,
+                [=](const Wave& wave) { return wave.flux(y, length); });
 }
 
 double DrivenLayers::temperature(double x, double time) const {

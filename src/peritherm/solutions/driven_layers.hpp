@@ -2,6 +2,8 @@
 
 #include <complex>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -45,10 +47,13 @@ class DrivenLayers {
 
  private:
   struct Wave;
+  struct Waves;
   static constexpr std::size_t most_layers = 16;
   Wave wave_in(std::size_t layer, std::complex<double> s) const;
   std::complex<double> drive(std::complex<double> s) const;
   double value_of_drive() const;
+  double invert(std::size_t layer, double time, double scale,
+                const std::function<std::complex<double>(const Wave&)>& transform) const;
 
   std::vector<ContactLayer> layers_;
   std::vector<double> begins_;
@@ -57,6 +62,7 @@ class DrivenLayers {
   double wave_number_;
   double tolerance_ = 1e-14;
   int terms_ = 40000;
+  std::shared_ptr<Waves> waves_;  ///< of the times last asked for
 };
 
 }  // namespace peritherm
