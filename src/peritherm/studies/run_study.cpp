@@ -24,14 +24,20 @@ std::optional<TimeCheck> make_time_check(const ReadStudy& read, std::size_t numb
   TimeCheck check{number, run, {}};
   const bool changed = std::visit(
       [&](auto& options) {
+        if constexpr (requires { options.step; }) {
+          if (options.step) {
+            *options.step *= 0.5;
+            check.how = "half the time step";
+            return true;
+          }
+        }
         if constexpr (requires { options.relative_tolerance; }) {
           options.relative_tolerance = read.study.tolerance / 10.0;
           check.how = "relative tolerance " + shortest(read.study.tolerance / 10.0) + " in place of " +
                       shortest(read.study.tolerance);
           return true;
-        } else if constexpr (requires { options.step; }) {
-          if (options.step) *options.step *= 0.5;
-          if (!options.step) options.safety *= 0.5;
+        } else if constexpr (requires { options.safety; }) {
+          options.safety *= 0.5;
           check.how = "half the time step";
           return true;
         } else {

@@ -83,6 +83,17 @@ TEST(Study, forward_euler_is_of_first_order_in_the_time_step) {
   EXPECT_NEAR(summary.series[0].errors[0] / summary.series[0].errors[1], 3.0, 0.2);
 }
 
+TEST(Study, the_error_in_time_of_fixed_steps_is_seen_with_half_of_them) {
+  const StudyFolder folder("half_steps");
+  const ReadStudy read = bar_study(folder,
+                                   "set = [\"time.integrator={type=\\\"gs4\\\",step=1e-3}\", \"time.end=0.01\"]\n"
+                                   "[vary]\nhorizon = [0.2, 0.1]\n");
+  const StudySummary summary = run_study(read, folder.settings());
+  ASSERT_EQ(summary.time_errors.size(), 1U);
+  EXPECT_EQ(summary.time_errors[0].how, "half the time step");
+  EXPECT_GT(summary.time_errors[0].difference, 0.0);
+}
+
 TEST(Study, what_was_finished_before_an_interruption_is_not_run_again) {
   const StudyFolder folder("resumed");
   const ReadStudy read = bar_study(folder, "[vary]\nhorizon = [0.2, 0.1, 0.05]\n");
