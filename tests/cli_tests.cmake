@@ -26,7 +26,7 @@ add_test(NAME tools.rooms COMMAND ${PERITHERM_PYTHON} ${PROJECT_SOURCE_DIR}/tool
 set_tests_properties(tools.check_rooms_finds_what_it_should tools.rooms PROPERTIES LABELS fast)
 
 # The quick variant of the report on every paper; each ends with another exit code if a figure is off.
-foreach(paper IN ITEMS bobaru_2010 bobaru_2012 mei_2021 galadima)
+foreach(paper IN ITEMS bobaru_2010 bobaru_2012 mei_2021 galadima xue_2018)
   add_test(NAME papers.report.${paper} COMMAND peritherm_program papers ${paper} --quick --overwrite --threads 1
                                                --output ${PROJECT_BINARY_DIR}/papers/${paper})
   set_tests_properties(papers.report.${paper} PROPERTIES LABELS papers TIMEOUT 900 ENVIRONMENT "${test_environment}")

@@ -14,6 +14,8 @@ struct UsedProfile {
   const Profile& profile;
   std::optional<Face> face;
   std::optional<Shape> where;
+  std::string at_start{};  ///< what it is at the start, if it is used there only
+  bool everywhere = true;  ///< else on surfaces inside the body, whose places are not known yet
 };
 
 /// Places all over the body; on a face for those that are used there.
@@ -33,14 +35,14 @@ void check_profile(Checker& checker, const UsedProfile& used) {
   if (!checker.sound(used.key)) return;
   try {
     CompiledProfile compiled(used.profile);
-    if (used.key == "initial.temperature" && compiled.depends_on_time()) {
-      checker.add(used.key, "the temperature at the start cannot depend on t", "Use x, y and z only");
+    if (!used.at_start.empty() && compiled.depends_on_time()) {
+      checker.add(used.key, "the " + used.at_start + " at the start cannot depend on t", "Use x, y and z only");
     } else if (std::holds_alternative<SteadyState>(checker.problem.time.integrator) && compiled.depends_on_time()) {
       checker.add(used.key, "depends on t, so there is no steady state",
                   "Leave t out, or choose another integrator than \"steady\"");
     }
     const std::string owner = used.key.substr(0, used.key.rfind('.'));
-    if (!shape_is_sound(checker, owner, used.where)) return;
+    if (!used.everywhere || !shape_is_sound(checker, owner, used.where)) return;
     for (const Point& place : places_of_use(*checker.grid, used)) compiled(place, 0.0);
   } catch (const Error& error) {
     checker.add(used.key, error.issues().front().problem, error.issues().front().hint);
@@ -52,7 +54,7 @@ template <Described T, class Visitor>
 void for_each_profile(const T& owner, const Visitor& visit) {
   std::apply(
       [&owner, &visit](const auto&... option) {
-        const auto look = [&owner, &visit]<class Value>(const Option<T, Value>& candidate) {
+        [[maybe_unused]] const auto look = [&owner, &visit]<class Value>(const Option<T, Value>& candidate) {
           if constexpr (std::is_same_v<Value, Profile>) visit(candidate.key, owner.*candidate.member);
         };
         (look(option), ...);
@@ -64,7 +66,10 @@ void for_each_profile(const T& owner, const Visitor& visit) {
 
 void check_profiles(Checker& checker) {
   const Problem& problem = checker.problem;
-  check_profile(checker, {"initial.temperature", problem.initial.temperature, {}, {}});
+  check_profile(checker, {"initial.temperature", problem.initial.temperature, {}, {}, "temperature"});
+  for (std::size_t axis = 0; problem.initial.heat_flux && axis < problem.initial.heat_flux->size(); ++axis) {
+    check_profile(checker, {entry("initial.heat_flux", axis), (*problem.initial.heat_flux)[axis], {}, {}, "flux"});
+  }
   for (std::size_t i = 0; i < problem.sources.size(); ++i) {
     const HeatSource& source = problem.sources[i];
     const std::string key = entry("source", i);
@@ -88,6 +93,15 @@ void check_profiles(Checker& checker) {
           });
         },
         boundary.condition);
+  }
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    std::visit(
+        [&checker, key = entry("contact", c)](const auto& law) {
+          for_each_profile(law, [&checker, &key](std::string_view name, const Profile& profile) {
+            check_profile(checker, {key + '.' + std::string(name), profile, {}, {}, {}, false});
+          });
+        },
+        problem.contacts[c].law);
   }
 }
 
