@@ -37,7 +37,7 @@ class OpenRow {
 
 CorrectionEnergy::CorrectionEnergy(int dimension, const SubDomain& part, const Families& families,
                                    std::vector<PointIndex> changing)
-    : dimension_(dimension), changing_(std::move(changing)) {
+    : changing_(std::move(changing)) {
   const std::vector<PointIndex> column_of = number_columns(part.size(), families);
   const double cell = std::pow(part.spacing, dimension);
   for (const PointIndex point : changing_) {
@@ -77,17 +77,40 @@ std::vector<PointIndex> CorrectionEnergy::number_columns(std::size_t points, con
   return column_of;
 }
 
+Point CorrectionEnergy::slope_of(const Row& row, std::size_t end, ConstField multipliers) const {
+  const double here = multipliers[row.column];
+  Point sum{};
+  for (std::size_t k = row.begin; k < end; ++k) {
+    const double difference = multipliers[bonds_[k].column] - here;
+    for (int a = 0; a < 3; ++a) sum[a] += bonds_[k].moment[a] * difference;
+  }
+  return product(row.inverse, sum);
+}
+
+void CorrectionEnergy::apply(ConstField multipliers, Field result) const {
+  std::fill(result.begin(), result.end(), 0.0);
+  for (std::size_t n = 0; n < rows_.size(); ++n) {
+    const Row& row = rows_[n];
+    const double here = multipliers[row.column];
+    const std::size_t end = end_of(n);
+    const Point slope = slope_of(row, end, multipliers);
+    double sum = 0.0;
+    for (std::size_t k = row.begin; k < end; ++k) {
+      const Bond& bond = bonds_[k];
+      const double change = bond.weight * (multipliers[bond.column] - here) - dot(bond.moment, slope);
+      result[bond.column] += change;
+      sum += change;
+    }
+    result[row.column] -= sum;
+  }
+}
+
 void CorrectionEnergy::add_changes(ConstField multipliers, Field changes) const {
   const auto count = static_cast<std::int64_t>(rows_.size());
   for (std::int64_t n = 0; n < count; ++n) {
     const Row& row = rows_[n];
     const double here = multipliers[row.column];
-    Point sum{};
-    for (std::size_t k = row.begin; k < end_of(n); ++k) {
-      const double difference = multipliers[bonds_[k].column] - here;
-      for (int a = 0; a < dimension_; ++a) sum[a] += bonds_[k].moment[a] * difference;
-    }
-    const Point slope = product(row.inverse, sum);
+    const Point slope = slope_of(row, end_of(n), multipliers);
     for (std::size_t k = row.begin; k < end_of(n); ++k) {
       const double difference = multipliers[bonds_[k].column] - here;
       changes[k] += (bonds_[k].weight * difference - dot(bonds_[k].moment, slope)) / row.volume;

@@ -25,6 +25,8 @@ class CorrectionEnergy {
   void add_changes(ConstField multipliers, Field changes) const;
   /// result = Vᵀ of changes, at the columns.
   void sum_changes(ConstField changes, Field result) const;
+  /// result = E'' μ: what both do one after the other, without the changes in between.
+  void apply(ConstField multipliers, Field result) const;
   /// E'', singular: linear μ cost nothing.
   SparseMatrix matrix() const;
   void fill_diagonal(Field diagonal) const;
@@ -48,11 +50,12 @@ class CorrectionEnergy {
     std::size_t row;
     std::ptrdiff_t bond;
   };
+  /// Slope of the multipliers around a point.
+  Point slope_of(const Row& row, std::size_t end, ConstField multipliers) const;
   std::size_t end_of(std::size_t n) const { return n + 1 < rows_.size() ? rows_[n + 1].begin : bonds_.size(); }
   std::vector<PointIndex> number_columns(std::size_t points, const Families& families);
   std::vector<std::vector<End>> find_ends() const;
 
-  int dimension_;
   std::vector<PointIndex> changing_, columns_;
   std::vector<Row> rows_;
   std::vector<Bond> bonds_;

@@ -86,7 +86,7 @@ void CorrectionSolver::solve(ConstField right, Field multipliers) const {
 
 void CorrectionSolver::iterate(ConstField right, Field multipliers) const {
   const std::size_t size = right.size();
-  std::vector<double> rest(right.begin(), right.end()), scaled(size), direction(size), product(size), changes;
+  std::vector<double> rest(right.begin(), right.end()), scaled(size), direction(size), product(size);
   std::fill(multipliers.begin(), multipliers.end(), 0.0);
   // Below rounding the linear part of the residual, which no multiplier reaches, would lead astray.
   const double target = std::max(iteration_accuracy * largest_entry(right), rounding_floor);
@@ -104,9 +104,7 @@ void CorrectionSolver::iterate(ConstField right, Field multipliers) const {
     const double share = before > 0.0 ? now / before : 0.0;
     before = now;
     for (std::size_t j = 0; j < size; ++j) direction[j] = scaled[j] + share * direction[j];
-    changes.assign(energy_.bonds(), 0.0);
-    energy_.add_changes(direction, changes);
-    energy_.sum_changes(changes, product);
+    energy_.apply(direction, product);
     const double step = now / inner_product(direction, product);
     for (std::size_t j = 0; j < size; ++j) {
       reached[j] += step * direction[j];

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -107,15 +108,19 @@ std::optional<std::vector<GradientChange>> correct_band(const SubDomain& part, c
     changes.push_back({point, std::vector<Point>(families.of(static_cast<std::size_t>(point)).size())});
   }
   const CorrectionSolver solver(energy, dimension);
-  std::vector<double> along(energy.size()), of_bonds(energy.bonds());
+  std::array<double, 3> left{};
+#pragma omp parallel for schedule(dynamic)
   for (int axis = 0; axis < dimension; ++axis) {
+    std::vector<double> along(energy.size()), of_bonds(energy.bonds(), 0.0);
     for (std::size_t c = 0; c < along.size(); ++c) along[c] = defects[energy.columns()[c]][axis];
-    std::fill(of_bonds.begin(), of_bonds.end(), 0.0);
-    if (!(correct_axis(energy, solver, along, of_bonds) < identity_failed)) return std::nullopt;
+    left[axis] = correct_axis(energy, solver, along, of_bonds);
     std::size_t bond = 0;
     for (GradientChange& change : changes) {
       for (Point& vector : change.of_bonds) vector[axis] = of_bonds[bond++] / part.spacing;
     }
+  }
+  for (const double one : left) {
+    if (!(one < identity_failed)) return std::nullopt;
   }
   return changes;
 }
