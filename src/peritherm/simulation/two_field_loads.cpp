@@ -114,18 +114,24 @@ void collect_sources(const Problem& problem, const DividedBody& body, CompiledLo
 
 }  // namespace
 
-void LoadedEntries::add(double time, Field target) {
+/// take(entry, value) for every entry.
+template <class Take>
+void LoadedEntries::for_each_value(double time, const Take& take) {
   const bool same = !profile.depends_on_place();
   double value = same && !entries.empty() ? profile(entries.front().position, time) : 0.0;
   for (const Entry& entry : entries) {
     if (!same) value = profile(entry.position, time);
-    target[entry.number] += entry.factor * value;
+    take(entry, value);
   }
+}
+
+void LoadedEntries::add(double time, Field target) {
+  for_each_value(time, [target](const Entry& entry, double value) { target[entry.number] += entry.factor * value; });
 }
 
 double LoadedEntries::sum(double time) {
   double sum = 0.0;
-  for (const Entry& entry : entries) sum += entry.factor * profile(entry.position, time);
+  for_each_value(time, [&sum](const Entry& entry, double value) { sum += entry.factor * value; });
   return sum;
 }
 
