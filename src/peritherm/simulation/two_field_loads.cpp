@@ -1,6 +1,7 @@
 #include "peritherm/simulation/two_field_loads.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "peritherm/base/error.hpp"
@@ -19,7 +20,8 @@ struct RowProfile {
 [[noreturn]] void refuse_resistance(double value, const Point& place, double time) {
   throw Error("a contact's resistance is " + std::to_string(value) + " m^2 K/W at t = " + std::to_string(time) +
                   " s, x = " + std::to_string(place[0]) + " m",
-              "Let its expression stay positive", Fault::numerics);
+              "Let its expression stay positive; a contact that opens may keep a conductance of next to nothing",
+              Fault::numerics);
 }
 
 /// The profiles of a two-field body, compiled once.
@@ -46,7 +48,7 @@ struct CompiledLoads {
     std::copy(fixed_resistance.begin(), fixed_resistance.end(), resistance.begin());
     fill(resistances, time, resistance);
     for (std::size_t r = 0; r < resistance.size(); ++r) {
-      if (!(resistance[r] >= 0.0)) refuse_resistance(resistance[r], positions[r], time);
+      if (!(resistance[r] >= 0.0 && std::isfinite(resistance[r]))) refuse_resistance(resistance[r], positions[r], time);
     }
   }
 
