@@ -28,6 +28,9 @@ struct Checker {
   bool accept(const std::string& key, const std::string& fault);
 };
 
+/// A length with a unit that keeps the number short.
+std::string length_text(double length);
+
 /// `find_faults` for a case of which some keys could not be read.
 std::vector<Issue> find_faults(const Problem& problem, const Locations& locations,
                                const std::vector<std::string>& broken, CaseUse use = CaseUse::run);
