@@ -40,7 +40,8 @@ void check_materials(Checker& checker);  ///< names
 void check_horizon(Checker& checker);
 void check_regions(Checker& checker);
 void check_contacts(Checker& checker);  ///< names of regions and contacts
-void check_model(Checker& checker);     ///< conductivities, and what the model would have to ignore
+/// Conductivities, and what the model would have to ignore. `given`: the problem before anything was filled in.
+void check_model(Checker& checker, const Problem& given);
 void check_division(Checker& checker);  ///< of a two-field body: thickness, contacts that touch
 void check_boundaries(Checker& checker);
 void check_profiles(Checker& checker);  ///< initial temperature, sources, boundary values
