@@ -4,6 +4,7 @@
 #include "peritherm/base/text.hpp"
 #include "peritherm/simulation/checker.hpp"
 #include "peritherm/simulation/two_field_assembly.hpp"
+#include "peritherm/simulation/two_field_plan.hpp"
 
 namespace peritherm {
 namespace {
@@ -61,6 +62,7 @@ void check_thickness(Checker& checker, const DividedBody& body) {
 }  // namespace
 
 void check_division(Checker& checker) {
+  refuse_if_two_fields_are_too_large(checker.problem);
   try {
     const DividedBody body = divide(checker.problem);
     check_thickness(checker, body);
