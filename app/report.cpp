@@ -43,13 +43,16 @@ std::string two_field_plan_text(const Plan& plan) {
   return text;
 }
 
+/// The first rows of every check.
+std::string grid_rows(const Plan& plan) {
+  return row("dimension", std::to_string(plan.dimension)) + row("points", grouped(plan.points)) +
+         row("spacing", quantity(plan.spacing, "m")) +
+         row("horizon", fmt::format("{} = {:.4g} spacings", quantity(plan.horizon, "m"), plan.horizon / plan.spacing));
+}
+
 std::string two_field_check_text(const Plan& plan) {
   const TwoFieldPlan& fields = *plan.two_field;
-  std::string text;
-  text += row("dimension", std::to_string(plan.dimension));
-  text += row("points", grouped(plan.points));
-  text += row("spacing", quantity(plan.spacing, "m"));
-  text += row("horizon", fmt::format("{} = {:.4g} spacings", quantity(plan.horizon, "m"), plan.horizon / plan.spacing));
+  std::string text = grid_rows(plan);
   text += row("parts", grouped(fields.parts));
   text += row("interfaces", grouped(fields.interfaces));
   text += row("model", "two_field: " + index_text(fields.index));
@@ -92,11 +95,7 @@ std::string plan_text(const Plan& plan) {
 
 std::string check_text(const Plan& plan) {
   if (plan.two_field) return two_field_check_text(plan);
-  std::string text;
-  text += row("dimension", std::to_string(plan.dimension));
-  text += row("points", grouped(plan.points));
-  text += row("spacing", quantity(plan.spacing, "m"));
-  text += row("horizon", fmt::format("{} = {:.4g} spacings", quantity(plan.horizon, "m"), plan.horizon / plan.spacing));
+  std::string text = grid_rows(plan);
   text += row("bonds", grouped(plan.bonds));
   text += row("cut bonds", grouped(plan.cut_bonds) + " at the end");
   text += row("backend", plan.backend + ": " + plan.backend_reason);

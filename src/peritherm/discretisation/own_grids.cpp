@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_map>
 
 #include "peritherm/base/text.hpp"
+#include "peritherm/discretisation/place_buckets.hpp"
 #include "peritherm/geometry/vector.hpp"
 
 namespace peritherm {
@@ -67,46 +67,7 @@ Overlap overlap_of(const BorderFace& a, const BorderFace& b, int dimension) {
   return shared;
 }
 
-/// Finds faces by place.
-class FaceBuckets {
- public:
-  FaceBuckets(int dimension, double width) : dimension_(dimension), width_(width) {}
-
-  void add(std::size_t number, const BorderFace& face) { faces_[key(bucket_of(face))].push_back(number); }
-
-  template <class Visit>
-  void for_each_near(const BorderFace& face, const Visit& visit) const {
-    const GridIndex centre = bucket_of(face);
-    const int reach[] = {1, dimension_ > 1 ? 1 : 0, dimension_ > 2 ? 1 : 0};
-    for (int dz = -reach[2]; dz <= reach[2]; ++dz) {
-      for (int dy = -reach[1]; dy <= reach[1]; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-          const auto found = faces_.find(key({centre[0] + dx, centre[1] + dy, centre[2] + dz}));
-          if (found == faces_.end()) continue;
-          for (const std::size_t number : found->second) visit(number);
-        }
-      }
-    }
-  }
-
- private:
-  GridIndex bucket_of(const BorderFace& face) const {
-    GridIndex bucket{};
-    for (int axis = 0; axis < dimension_; ++axis) {
-      bucket[axis] = static_cast<int>(std::floor(0.5 * (face.low[axis] + face.high[axis]) / width_));
-    }
-    return bucket;
-  }
-
-  static std::int64_t key(const GridIndex& bucket) {
-    constexpr std::int64_t stride = std::int64_t{1} << 21;
-    return (bucket[2] * stride + bucket[1]) * stride + bucket[0];
-  }
-
-  int dimension_;
-  double width_;
-  std::unordered_map<std::int64_t, std::vector<std::size_t>> faces_;
-};
+Point middle_of(const BorderFace& face) { return between(face.low, face.high, 0.5); }
 
 class GridJoiner {
  public:
@@ -135,13 +96,13 @@ class GridJoiner {
   void find_contacts() {
     double width = 0.0;
     for (const BorderFace& face : faces_) width = std::max(width, face.spacing);
-    FaceBuckets lower(dimension_, width);
+    PlaceBuckets<std::size_t> lower(dimension_, width);
     for (std::size_t n = 0; n < faces_.size(); ++n) {
-      if (!faces_[n].upper) lower.add(n, faces_[n]);
+      if (!faces_[n].upper) lower.add(middle_of(faces_[n]), n);
     }
     for (std::size_t n = 0; n < faces_.size(); ++n) {
       if (!faces_[n].upper) continue;
-      lower.for_each_near(faces_[n], [&](std::size_t other) { meet(n, other); });
+      lower.for_each_near(middle_of(faces_[n]), [&](std::size_t other) { meet(n, other); });
     }
   }
 

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <unordered_map>
 
+#include "peritherm/discretisation/place_buckets.hpp"
 #include "peritherm/discretisation/sub_domains.hpp"
 #include "peritherm/geometry/vector.hpp"
 
@@ -13,28 +12,19 @@ namespace {
 constexpr double thickness_slack = 1e-6;
 
 /// Surface of one part in buckets as wide as its horizon.
-class SurfaceBuckets {
+class PartSurface {
  public:
-  SurfaceBuckets(const DividedBody& body, int part, double width) : dimension_(body.dimension), width_(width) {
-    for (const SurfacePoint& point : body.surface) {
-      if (point.first == part || point.second == part) points_[key(bucket_of(point.position))].push_back(&point);
+  PartSurface(const DividedBody& body, int part, double width)
+      : dimension_(body.dimension), width_(width), pieces_(body.dimension, width) {
+    for (const SurfacePoint& piece : body.surface) {
+      if (piece.first == part || piece.second == part) pieces_.add(piece.position, &piece);
     }
   }
 
   /// Distance from the nearest piece of surface, but at most a bucket's width.
   double depth(const Point& x) const {
-    const GridIndex centre = bucket_of(x);
-    const int reach[] = {1, dimension_ > 1 ? 1 : 0, dimension_ > 2 ? 1 : 0};
     double nearest = width_;
-    for (int dz = -reach[2]; dz <= reach[2]; ++dz) {
-      for (int dy = -reach[1]; dy <= reach[1]; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-          const auto found = points_.find(key({centre[0] + dx, centre[1] + dy, centre[2] + dz}));
-          if (found == points_.end()) continue;
-          for (const SurfacePoint* point : found->second) nearest = std::min(nearest, distance(*point, x));
-        }
-      }
-    }
+    pieces_.for_each_near(x, [&](const SurfacePoint* piece) { nearest = std::min(nearest, distance(*piece, x)); });
     return nearest;
   }
 
@@ -48,20 +38,9 @@ class SurfaceBuckets {
     return std::hypot(height, std::max(0.0, lateral - radius));
   }
 
-  GridIndex bucket_of(const Point& x) const {
-    GridIndex bucket{};
-    for (int axis = 0; axis < dimension_; ++axis) bucket[axis] = static_cast<int>(std::floor(x[axis] / width_));
-    return bucket;
-  }
-
-  static std::int64_t key(const GridIndex& bucket) {
-    constexpr std::int64_t stride = std::int64_t{1} << 21;
-    return (bucket[2] * stride + bucket[1]) * stride + bucket[0];
-  }
-
   int dimension_;
   double width_;
-  std::unordered_map<std::int64_t, std::vector<const SurfacePoint*>> points_;
+  PlaceBuckets<const SurfacePoint*> pieces_;
 };
 
 ThinPart thickness_of_rod(const SubDomain& part) {
@@ -73,7 +52,7 @@ ThinPart thickness_of_rod(const SubDomain& part) {
 /// Points stand half a spacing below a surface; twice the largest depth is the thickness, to a spacing.
 ThinPart thickness_of_part(const DividedBody& body, std::size_t number) {
   const SubDomain& part = body.parts[number];
-  const SurfaceBuckets surface(body, static_cast<int>(number), part.horizon);
+  const PartSurface surface(body, static_cast<int>(number), part.horizon);
   const double enough = part.horizon * (1.0 - thickness_slack) - 0.5 * part.spacing;
   double deepest = 0.0;
   for (const Point& x : part.positions) {

@@ -66,8 +66,12 @@ class ContactObserver final : public Observer {
     for (const char* name : {"area", "first", "second", "jump", "flux"}) columns.emplace_back(name);
     std::set<std::string> stems;
     for (const InterfaceValues& values : snapshot.interfaces) {
-      std::string stem = "contact_" + plain_name(values.name, "interface");
-      while (!stems.insert(stem).second) stem += '_' + std::to_string(stems.size());
+      const std::string plain = "contact_" + plain_name(values.name, "interface");
+      std::string stem = plain;
+      for (int number = 2; stems.count(stem) + stems.count(stem + "_points") > 0; ++number) {
+        stem = plain + "_" + std::to_string(number);
+      }
+      stems.insert({stem, stem + "_points"});
       tables_.push_back(std::make_unique<CsvTable>(
           folder_ / (stem + ".csv"),
           std::vector<std::string>{"time", "heat_rate", "first", "second", "jump", "largest_jump"}));

@@ -297,6 +297,7 @@ Geometry make_geometry(const Problem& given) {
   for (std::size_t r = 0; r < table.of_region.size(); ++r)
     body.regions.push_back({problem.body.regions[r].shape, table.of_region[r]});
   body.assign_materials();
+  refuse_idle_contacts(problem, table, body);
   for (const Crack& crack : problem.cracks)
     body.cracks.emplace_back(reach_out(crack, body.grid), body.grid.dimension, body.grid.spacing);
   for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {

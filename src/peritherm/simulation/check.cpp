@@ -93,7 +93,7 @@ std::vector<Issue> find_faults(const Problem& given, const Locations& locations,
   Checker checker{problem, locations, broken, use, std::nullopt, false, {}};
   check_body(checker);
   check_materials(checker);
-  check_model(checker);
+  check_model(checker, given);
   check_horizon(checker);
   check_regions(checker);
   check_contacts(checker);

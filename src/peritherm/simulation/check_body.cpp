@@ -25,12 +25,6 @@ std::string rounded(double number) {
   return text;
 }
 
-/// A length with a unit that keeps the number short.
-std::string length_text(double length) {
-  if (length < 1e-6 || length >= 1.0) return rounded(length) + " m";
-  return length < 1e-3 ? rounded(1e6 * length) + " um" : rounded(1e3 * length) + " mm";
-}
-
 std::string list_of_rounded(const std::vector<double>& numbers) {
   std::vector<std::string> words;
   for (const double number : numbers) words.push_back(rounded(number));
@@ -196,6 +190,11 @@ bool check_quadrature(Checker& checker, const std::string& key, const std::strin
 }
 
 }  // namespace
+
+std::string length_text(double length) {
+  if (length < 1e-6 || length >= 1.0) return rounded(length) + " m";
+  return length < 1e-3 ? rounded(1e6 * length) + " um" : rounded(1e3 * length) + " mm";
+}
 
 void check_body(Checker& checker) {
   const BodyOptions& body = checker.problem.body;

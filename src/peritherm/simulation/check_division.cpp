@@ -4,6 +4,7 @@
 #include "peritherm/base/text.hpp"
 #include "peritherm/simulation/checker.hpp"
 #include "peritherm/simulation/two_field_assembly.hpp"
+#include "peritherm/simulation/two_field_plan.hpp"
 
 namespace peritherm {
 namespace {
@@ -52,8 +53,8 @@ void check_held_surface(Checker& checker, const DividedBody& body) {
 void check_thickness(Checker& checker, const DividedBody& body) {
   for (const ThinPart& part : find_thin_parts(body)) {
     checker.add("nonlocality.horizon" + std::string(checker.problem.nonlocality.horizon ? "" : "_ratio"),
-                "the part '" + body.parts[part.part].name + "' is " + shortest(part.thickness) +
-                    " m thick, and needs " + shortest(part.needed) + " m for its horizon",
+                "the part '" + body.parts[part.part].name + "' is " + length_text(part.thickness) +
+                    " thick, and needs " + length_text(part.needed) + " for its horizon",
                 "Choose a smaller horizon with more cells, or a horizon of its own with [[body.region]] horizon");
   }
 }
@@ -61,6 +62,7 @@ void check_thickness(Checker& checker, const DividedBody& body) {
 }  // namespace
 
 void check_division(Checker& checker) {
+  refuse_if_two_fields_are_too_large(checker.problem);
   try {
     const DividedBody body = divide(checker.problem);
     check_thickness(checker, body);

@@ -78,6 +78,10 @@ void refuse_in_two_fields(Checker& checker) {
     checker.add("body.points", "puts points on surfaces, where temperatures have two values",
                 "Choose points = \"centres\", or leave it out");
   }
+  if (const auto* gs4 = std::get_if<GeneralisedSingleStep>(&problem.time.integrator);
+      gs4 != nullptr && gs4->preconditioner != ImplicitPreconditioner::none) {
+    refuse("time.integrator.preconditioner", "Leave it out");
+  }
   const std::string method =
       std::visit([](const auto& chosen) { return std::string(chosen.name); }, problem.time.integrator);
   if (method != "gs4" && method != "ida" && method != "auto") {
@@ -110,13 +114,16 @@ void check_tensor(Checker& checker, const std::string& key, const Material& mate
   }
 }
 
-/// Conductivity in one of its two forms.
-void check_conductivities(Checker& checker) {
+/// Conductivity in one of its two forms. What has been resolved holds the mean of the tensor as well.
+void check_conductivities(Checker& checker, const Problem& given) {
   for (const auto& [name, material] : checker.problem.materials) {
     const std::string key = "materials." + name;
     if (!checker.sound(key)) continue;
     if (material.conductivity_tensor) {
       check_tensor(checker, key + ".conductivity_tensor", material);
+      const double beside = given.materials.at(name).conductivity;
+      if (beside == 0.0 || beside == material.conductivity) continue;
+      checker.add(key + ".conductivity", "stands beside conductivity_tensor", "Leave one of the two out");
     } else if (material.conductivity == 0.0) {
       checker.add(key + ".conductivity", "is missing", "Needed: thermal conductivity [W/(m K)]");
     }
@@ -141,8 +148,8 @@ void check_initial_flux(Checker& checker) {
 
 }  // namespace
 
-void check_model(Checker& checker) {
-  check_conductivities(checker);
+void check_model(Checker& checker, const Problem& given) {
+  check_conductivities(checker, given);
   if (checker.problem.nonlocality.model == Model::bond) return refuse_in_bonds(checker);
   refuse_in_two_fields(checker);
   check_initial_flux(checker);

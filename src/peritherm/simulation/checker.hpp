@@ -28,6 +28,9 @@ struct Checker {
   bool accept(const std::string& key, const std::string& fault);
 };
 
+/// A length with a unit that keeps the number short.
+std::string length_text(double length);
+
 /// `find_faults` for a case of which some keys could not be read.
 std::vector<Issue> find_faults(const Problem& problem, const Locations& locations,
                                const std::vector<std::string>& broken, CaseUse use = CaseUse::run);
@@ -37,7 +40,8 @@ void check_materials(Checker& checker);  ///< names
 void check_horizon(Checker& checker);
 void check_regions(Checker& checker);
 void check_contacts(Checker& checker);  ///< names of regions and contacts
-void check_model(Checker& checker);     ///< conductivities, and what the model would have to ignore
+/// Conductivities, and what the model would have to ignore. `given`: the problem before anything was filled in.
+void check_model(Checker& checker, const Problem& given);
 void check_division(Checker& checker);  ///< of a two-field body: thickness, contacts that touch
 void check_boundaries(Checker& checker);
 void check_profiles(Checker& checker);  ///< initial temperature, sources, boundary values

@@ -1,8 +1,10 @@
 #include "peritherm/simulation/material_table.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/discretisation/touching.hpp"
 
 namespace peritherm {
 namespace {
@@ -95,6 +97,26 @@ std::vector<MaterialContact> make_material_contacts(const Problem& problem, cons
     }
   }
   return contacts;
+}
+
+void refuse_idle_contacts(const Problem& problem, const MaterialTable& table, const Body& body) {
+  if (problem.contacts.empty()) return;
+  std::set<int> used;
+  for (const TouchingSearch search : {TouchingSearch::points, TouchingSearch::ways_between}) {
+    // What is thinner than a spacing may hold no point; to find it takes longer.
+    if (used.size() == problem.contacts.size()) return;
+    for (const auto& [a, b] : touching_materials(body, search)) used.insert(contact_between(problem, table, a, b));
+    used.erase(-1);
+  }
+  std::vector<Issue> issues;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    if (used.count(static_cast<int>(c)) > 0) continue;
+    const auto& names = problem.contacts[c].between;
+    issues.push_back({InputLocation{{}, "contact." + std::to_string(c) + ".between"},
+                      "'" + names[0] + "' and '" + names[1] + "' touch nowhere",
+                      "Name parts that do, or move them together"});
+  }
+  if (!issues.empty()) throw Error(std::move(issues));
 }
 
 std::string name_of(const ContactOptions& contact) {

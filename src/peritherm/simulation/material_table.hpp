@@ -32,6 +32,9 @@ int contact_between(const Problem& problem, const MaterialTable& table, Material
 /// The contacts of a bond body that resist heat. Throws Error if a resistance depends on place or time.
 std::vector<MaterialContact> make_material_contacts(const Problem& problem, const MaterialTable& table);
 
+/// Throws Error, naming the contacts of a bond body whose two sides touch nowhere.
+void refuse_idle_contacts(const Problem& problem, const MaterialTable& table, const Body& body);
+
 /// "film to substrate", or the name that was given.
 std::string name_of(const ContactOptions& contact);
 

@@ -18,7 +18,6 @@ struct TwoFieldPlan {
   std::size_t multipliers = 0;    ///< rows of contacts and boundaries
   std::size_t flux_unknowns = 0;  ///< components of fluxes that relax
   int index = 0;                  ///< of the differential-algebraic system
-  std::string solver;             ///< of linear systems, and why
 };
 
 /// What a run of two fields has to tell beside the rest.

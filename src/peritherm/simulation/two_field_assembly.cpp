@@ -84,6 +84,15 @@ class RowCollector {
   std::vector<LoadedEntries> fluxes;
 
  private:
+  /// A name may stand for both: a material's stands for its named regions, too.
+  bool is_named_so(const ContactOptions& contact, MaterialIndex a, MaterialIndex b) const {
+    const auto means = [this](const std::string& name, MaterialIndex entry) {
+      const std::vector<MaterialIndex> entries = table_.find(name);
+      return std::find(entries.begin(), entries.end(), entry) != entries.end();
+    };
+    return means(contact.between[0], a) && means(contact.between[1], b);
+  }
+
   const Trace& trace_of(int part, std::size_t number) const {
     return parts_.operators[static_cast<std::size_t>(part)].traces()[number];
   }
@@ -97,10 +106,7 @@ class RowCollector {
     const auto [known, fresh] = number_of_.emplace(name, interfaces.size());
     if (fresh) interfaces.push_back({name, {}, {}});
     // The order of the names decides the sign of the flux.
-    const std::vector<MaterialIndex> begins =
-        contact >= 0 ? table_.find(problem_.contacts[static_cast<std::size_t>(contact)].between[0])
-                     : std::vector{std::min(a, b)};
-    const bool along = std::find(begins.begin(), begins.end(), a) != begins.end();
+    const bool along = contact >= 0 ? is_named_so(problem_.contacts[static_cast<std::size_t>(contact)], a, b) : a <= b;
     interfaces[known->second].rows.push_back(rows.size());
     interfaces[known->second].directions.push_back(along ? 1.0 : -1.0);
     rows.push_back({place.first, trace_of(place.first, parts_.sides[s].first), place.second,

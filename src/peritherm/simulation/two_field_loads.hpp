@@ -22,6 +22,10 @@ struct LoadedEntries {
   void add(double time, Field target);
   /// Σ factor · value.
   double sum(double time);
+
+ private:
+  template <class Take>
+  void for_each_value(double time, const Take& take);
 };
 
 /// What a row stands for.

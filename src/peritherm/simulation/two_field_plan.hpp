@@ -5,6 +5,10 @@
 
 namespace peritherm {
 
+/// Throws Error (Fault::machine) if a run would not fit into the memory that is available; nothing large has been made
+/// by then.
+void refuse_if_two_fields_are_too_large(const Problem& problem);
+
 /// Resolves what the case leaves open, and tells OpenMP the number of threads. Throws Error (Fault::machine) if the run
 /// would not fit into the memory that is available.
 Problem prepare_two_field(const Problem& problem);

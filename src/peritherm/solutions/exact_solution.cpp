@@ -296,7 +296,7 @@ std::string fault_of(const InclusionInGradient& plate, int dimension) {
 
 std::string fault_of(const CoaxialRings& rings, int dimension) {
   if (rings.radii.size() != 3 || rings.conductivities.size() != 2) return "needs three radii and two conductivities";
-  if (!std::is_sorted(rings.radii.begin(), rings.radii.end())) return "has radii that do not grow";
+  if (rings.radii[0] >= rings.radii[1] || rings.radii[1] >= rings.radii[2]) return "has radii that do not grow";
   return fault_of_centre(rings.centre, dimension);
 }
 

@@ -109,7 +109,11 @@ Solution solve(const Problem& problem, std::span<const double> times, const std:
 Solution solve(const Prepared& prepared, std::span<const double> times, const std::function<bool()>& stop_requested) {
   const Problem& problem = prepared.problem;
   omp_set_num_threads(prepared.threads);  // Each thread of the program has a number of its own.
-  if (problem.nonlocality.model == Model::two_field) return solve_two_fields(problem, times, stop_requested);
+  if (problem.nonlocality.model == Model::two_field) {
+    Problem with_threads = problem;
+    with_threads.numerics.threads = prepared.threads;
+    return solve_two_fields(with_threads, times, stop_requested);
+  }
   const auto start = std::chrono::steady_clock::now();
   Assembly assembly = assemble(problem);
   Solution solution;

@@ -97,8 +97,7 @@ class PerfectRows {
 
   RowSolver make_solver() {
     for (std::size_t n = 0; n < inverse_.size(); ++n) inverse_[n] = 1.0 / system_.capacities()[n];
-    const std::vector<ContactRow> rows(system_.rows().begin(), system_.rows().end());
-    return RowSolver(system_.contacts().gram(inverse_, numbers_), numbers_, rows);
+    return RowSolver(system_.contacts().gram(inverse_, numbers_), numbers_, system_.rows());
   }
 
   const TwoFieldSystem& system_;

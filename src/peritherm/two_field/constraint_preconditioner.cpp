@@ -39,8 +39,7 @@ void ConstraintPreconditioner::set_resistance(const std::vector<double>& resista
     }
     weights[r] = 1.0 / weights[r];
   }
-  const std::vector<ContactRow> places(system.rows().begin(), system.rows().end());
-  row_solver_.emplace(rows, all_numbers(rows.rows()), places);
+  row_solver_.emplace(rows, all_numbers(rows.rows()), system.rows());
   factor_.emplace(add_contacts(coarse_, contacts_of_bins_, weights), 0);
   ++factorisations_;
 }
@@ -88,11 +87,6 @@ void ConstraintPreconditioner::mend_rows(ConstField rows, Field z, Field w) cons
   row_solver_->solve(w);
   const std::vector<double> nothing(z.size(), 0.0);
   complete(nothing, w, z);
-}
-
-std::size_t ConstraintPreconditioner::bytes() const {
-  return inverse_.size() * (sizeof(double) + sizeof(PointIndex)) + (factor_ ? factor_->bytes() : 0) +
-         (coarse_.values.size() + rows_matrix_.values.size()) * (sizeof(double) + sizeof(PointIndex));
 }
 
 }  // namespace peritherm

@@ -23,7 +23,6 @@ class ConstraintPreconditioner {
   /// Without bins: for what rounding leaves of rows.
   void mend_rows(ConstField rows, Field z, Field w) const;
   long factorisations() const { return factorisations_; }
-  std::size_t bytes() const;
 
  private:
   void complete(ConstField heat, ConstField w, Field z) const;

@@ -56,8 +56,6 @@ class FactoredPart {
     std::copy(column.values.begin(), column.values.end(), own.begin());
   }
 
-  std::size_t bytes() const { return factor_.bytes(); }
-
  private:
   struct Row {
     std::size_t number;
@@ -114,11 +112,6 @@ class DirectStage final : public StageSolver {
 
   long iterations() const override { return 0; }
   long factorisations() const override { return factorisations_; }
-  std::size_t bytes() const override {
-    std::size_t bytes = static_cast<std::size_t>(2 * schur_.size()) * sizeof(double);
-    for (const FactoredPart& part : parts_) bytes += part.bytes();
-    return bytes;
-  }
 
  private:
   /// λ from (Φ A⁻¹ Φᵀ + A R) λ = Φ A⁻¹ heat − rows, x from A x = heat − Φᵀ λ.

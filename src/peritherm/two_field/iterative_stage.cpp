@@ -93,9 +93,6 @@ class IterativeStage final : public StageSolver {
 
   long iterations() const override { return iterations_; }
   long factorisations() const override { return preconditioner_.factorisations(); }
-  std::size_t bytes() const override {
-    return preconditioner_.bytes() + (4 * residual_.size() + level_.size()) * sizeof(double);
-  }
 
  private:
   void iterate(double tolerance, double brought, Field x, Field multipliers) {

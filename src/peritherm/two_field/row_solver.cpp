@@ -31,7 +31,7 @@ std::string place_of(const ContactRow& row) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", row.position[0], row.position[1], row.position[2]);
 }
 
-Error dependent_rows(const std::vector<std::size_t>& guilty, const std::vector<ContactRow>& rows) {
+Error dependent_rows(const std::vector<std::size_t>& guilty, std::span<const ContactRow> rows) {
   std::string places;
   for (std::size_t k = 0; k < std::min(guilty.size(), most_named); ++k) {
     places += (k == 0 ? "" : ", ") + place_of(rows[guilty[k]]);
@@ -50,7 +50,7 @@ struct RowSolver::Parts {
 };
 
 RowSolver::RowSolver(const SparseMatrix& matrix, const std::vector<std::size_t>& chosen,
-                     const std::vector<ContactRow>& rows)
+                     std::span<const ContactRow> rows)
     : parts_(std::make_unique<Parts>()) {
   if (matrix.rows() == 0) return;
   RowMatrix lower = to_row_matrix(matrix);
@@ -76,13 +76,6 @@ RowSolver::RowSolver(RowSolver&&) noexcept = default;
 void RowSolver::solve(Field values) const {
   if (values.empty()) return;
   Eigen::Map<Eigen::VectorXd> map(values.data(), static_cast<Eigen::Index>(values.size()));
-  map = parts_->factor.solve(map).eval();
-}
-
-void RowSolver::solve(Matrix& columns) const {
-  if (columns.empty()) return;
-  Eigen::Map<Eigen::MatrixXd> map(columns.values.data(), static_cast<Eigen::Index>(columns.rows),
-                                  static_cast<Eigen::Index>(columns.columns));
   map = parts_->factor.solve(map).eval();
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "peritherm/base/matrix.hpp"
 #include "peritherm/two_field/contact_rows.hpp"
 
 namespace peritherm {
@@ -13,14 +13,12 @@ namespace peritherm {
 class RowSolver {
  public:
   /// `chosen`: the numbers of the matrix's rows among all. Throws Error if a row follows from others, naming places.
-  RowSolver(const SparseMatrix& matrix, const std::vector<std::size_t>& chosen, const std::vector<ContactRow>& rows);
+  RowSolver(const SparseMatrix& matrix, const std::vector<std::size_t>& chosen, std::span<const ContactRow> rows);
   ~RowSolver();
   RowSolver(RowSolver&&) noexcept;
 
   /// values becomes matrix⁻¹ values.
   void solve(Field values) const;
-  /// Every column becomes matrix⁻¹ column.
-  void solve(Matrix& columns) const;
 
  private:
   struct Parts;

@@ -12,7 +12,7 @@ class StageCache {
  public:
   /// `method`: none: what costs less.
   explicit StageCache(const TwoFieldSystem& system, std::optional<StageMethod> method = std::nullopt)
-      : system_(system), method_(method.value_or(choose_stage_method(system, 0))) {}
+      : system_(system), method_(method.value_or(choose_stage_method(system))) {}
 
   /// Of this shift, but for rounding: use the solver's own.
   StageSolver& at(double shift);

@@ -9,7 +9,7 @@ constexpr std::size_t most_factored_rows = 1500;  ///< their range space is dens
 
 }  // namespace
 
-StageMethod choose_stage_method(const TwoFieldSystem& system, std::size_t) {
+StageMethod choose_stage_method(const TwoFieldSystem& system) {
   const bool factors =
       system.size() <= most_factored_points[system.dimension()] && system.multipliers() <= most_factored_rows;
   return factors ? StageMethod::direct : StageMethod::iterative;

@@ -21,7 +21,6 @@ class StageSolver {
   virtual void solve(ConstField heat, ConstField rows, double tolerance, Field x, Field multipliers) = 0;
   virtual long iterations() const = 0;      ///< so far
   virtual long factorisations() const = 0;  ///< so far
-  virtual std::size_t bytes() const = 0;
 
  protected:
   explicit StageSolver(double shift) : shift_(shift) {}
@@ -32,8 +31,8 @@ class StageSolver {
 
 enum class StageMethod { direct, iterative };
 
-/// What costs less for the body, and fits into `most_bytes` (0: whatever it takes).
-StageMethod choose_stage_method(const TwoFieldSystem& system, std::size_t most_bytes);
+/// What costs less for the body.
+StageMethod choose_stage_method(const TwoFieldSystem& system);
 
 std::unique_ptr<StageSolver> make_stage_solver(StageMethod method, const TwoFieldSystem& system, double shift);
 /// Sparse Cholesky factors of each part, and the rows by their range space [benzi2005, sec. 5].

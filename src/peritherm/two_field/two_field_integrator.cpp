@@ -13,11 +13,6 @@ std::unique_ptr<TwoFieldIntegrator> make_two_field_integrator(const TimeStepping
   if (const auto* multistep = std::get_if<DifferentialAlgebraic>(&options)) {
     return make_two_field_ida(*multistep, system);
   }
-  if (const auto* automatic = std::get_if<AutomaticStepping>(&options)) {
-    GeneralisedSingleStep single;
-    single.relative_tolerance = automatic->relative_tolerance.value_or(single.relative_tolerance);
-    return std::make_unique<TwoFieldGs4>(single, system);
-  }
   const std::string name = std::visit([](const auto& chosen) { return std::string(chosen.name); }, options);
   throw Error("time.integrator: '" + name + "' does not integrate two fields with constraints",
               "Choose \"gs4\", or \"ida\" in builds with SUNDIALS");

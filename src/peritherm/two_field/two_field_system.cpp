@@ -28,14 +28,11 @@ TwoFieldSystem::TwoFieldSystem(std::vector<NonlocalOperators> parts, std::vector
 
 /// Rows with R = 0 must not say the same twice.
 void TwoFieldSystem::refuse_dependent_rows() const {
-  std::vector<std::size_t> all(rows_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  // Any resistance may vanish later.
   std::vector<double> inverse(capacities_.size());
   for (std::size_t n = 0; n < inverse.size(); ++n) inverse[n] = 1.0 / capacities_[n];
   const std::vector<double> resistance = resistances(0.0);
   std::vector<std::size_t> perfect;
-  for (const std::size_t row : all) {
+  for (std::size_t row = 0; row < resistance.size(); ++row) {
     if (resistance[row] == 0.0) perfect.push_back(row);
   }
   if (!perfect.empty()) RowSolver(contacts_.gram(inverse, perfect), perfect, rows_);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/simulation/running_case.hpp"
@@ -90,6 +91,60 @@ TEST(TwoFieldCase, a_resistance_may_depend_on_time) {
   EXPECT_EQ(values.name, "other to body");
   EXPECT_LT(values.flux.front(), -0.1) << "from the hot body, the second of the name";
   EXPECT_NEAR(values.first.front() - values.second.front(), 0.6 * values.flux.front(), 1e-14);
+}
+
+TEST(TwoFieldCase, a_contact_must_not_open_entirely) {
+  Problem problem = two_touching_layers(1, 40);
+  problem.contacts.push_back({{"body", "other"}, ContactConductance{Profile("max(0, 1 - 20*t)")}});
+  try {
+    march_to_end(problem);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a contact's resistance is inf"), std::string::npos) << error.what();
+  }
+}
+
+TEST(TwoFieldCase, error_control_passes_over_no_pulse) {
+  Problem problem = two_touching_layers(1, 40);
+  problem.time.end = 0.5;
+  problem.sources.push_back({Profile("1000*exp(-((t-0.302)/0.001)^2)"), std::nullopt});
+  const double heat = 1000.0 * 0.001 * std::sqrt(std::numbers::pi);
+  GeneralisedSingleStep stepping;
+  problem.time.integrator = stepping;
+  const auto running = march_to_end(problem);
+  // Each step may err by the tolerance.
+  const auto steps = static_cast<double>(running->count().accepted);
+  EXPECT_NEAR(running->stored_heat(), heat, steps * stepping.relative_tolerance * heat);
+}
+
+TEST(TwoFieldCase, the_order_of_names_decides_the_sign_even_if_one_stands_for_both_sides) {
+  Problem problem = two_touching_layers(1, 40);
+  problem.body.regions = {{"body", Box{{0.0}, {0.5}}}};
+  problem.body.regions[0].name = "left";
+  problem.materials.erase("other");
+  problem.initial.temperature = Profile("x < 0.5");
+  for (const bool swapped : {false, true}) {
+    std::vector<std::string> names{"body", "left"};
+    if (swapped) std::swap(names[0], names[1]);
+    problem.contacts = {{names, ContactResistance{Profile(0.5)}}};
+    const auto running = march_to_end(problem);
+    const double flux = running->snapshot(problem.time.end).interfaces.front().flux.front();
+    EXPECT_GT(swapped ? flux : -flux, 0.1) << "heat goes from the left to the right";
+  }
+}
+
+TEST(TwoFieldCase, refuses_what_it_would_ignore) {
+  Problem problem = two_touching_layers(2, 24);
+  problem.materials["body"].conductivity_tensor = {2.0, 2.0, 0.0};
+  GeneralisedSingleStep stepping;
+  stepping.preconditioner = ImplicitPreconditioner::jacobi;
+  problem.time.integrator = stepping;
+  const auto faults = faults_of(problem);
+  EXPECT_TRUE(any_has(faults, "materials.body.conductivity: stands beside conductivity_tensor"));
+  EXPECT_TRUE(any_has(faults, "time.integrator.preconditioner: is for nonlocality.model"));
+  EXPECT_EQ(faults.size(), 2u);
+  problem.materials["body"].conductivity = 2.0;
+  EXPECT_EQ(faults_of(problem).size(), 1u) << "as resolved.toml has it";
 }
 
 TEST(TwoFieldCase, named_regions_of_one_material_touch) {
