@@ -54,7 +54,7 @@ void check_thickness(Checker& checker, const DividedBody& body) {
   for (const ThinPart& part : find_thin_parts(body)) {
     checker.add("nonlocality.horizon" + std::string(checker.problem.nonlocality.horizon ? "" : "_ratio"),
                 "the part '" + body.parts[part.part].name + "' is " + length_text(part.thickness) +
-                    " thick, and needs " + length_text(part.needed) + " for its horizon",
+                    " thick at most, and needs " + length_text(part.needed) + " for its horizon",
                 "Choose a smaller horizon with more cells, or a horizon of its own with [[body.region]] horizon");
   }
 }
