@@ -24,21 +24,6 @@ struct RowProfile {
               Fault::numerics);
 }
 
-constexpr std::size_t sampled_places = 16;
-
-/// Values of a profile at a few of its places, one if they are the same everywhere. Returns their mean size.
-template <class Places>
-double append_samples(CompiledProfile& profile, const Places& places, std::size_t count, double time,
-                      std::vector<double>& values) {
-  const std::size_t taken = profile.depends_on_place() ? std::min(count, sampled_places) : 1;
-  double sum = 0.0;
-  for (std::size_t k = 0; k < taken; ++k) {
-    values.push_back(profile(places(k * count / taken), time));
-    sum += std::abs(values.back());
-  }
-  return sum / static_cast<double>(taken);
-}
-
 /// The profiles of a two-field body, compiled once.
 struct CompiledLoads {
   std::vector<RowProfile> resistances, surroundings;
@@ -65,33 +50,6 @@ struct CompiledLoads {
     for (std::size_t r = 0; r < resistance.size(); ++r) {
       if (!(resistance[r] >= 0.0 && std::isfinite(resistance[r]))) refuse_resistance(resistance[r], positions[r], time);
     }
-  }
-
-  bool changes_with_time() const {
-    const auto changes = [](const auto& entry) { return entry.profile.depends_on_time(); };
-    return std::any_of(resistances.begin(), resistances.end(), changes) ||
-           std::any_of(surroundings.begin(), surroundings.end(), changes) ||
-           std::any_of(heating.begin(), heating.end(), changes);
-  }
-
-  LoadSample sample(double time) {
-    LoadSample sample;
-    const auto append = [this, time](std::vector<RowProfile>& profiles, std::vector<double>& values) {
-      for (RowProfile& entry : profiles) {
-        if (!entry.profile.depends_on_time()) continue;
-        const auto place = [&](std::size_t n) { return positions[entry.rows[n]]; };
-        append_samples(entry.profile, place, entry.rows.size(), time, values);
-      }
-    };
-    append(resistances, sample.others);
-    append(surroundings, sample.temperatures);
-    for (LoadedEntries& loaded : heating) {
-      if (!loaded.profile.depends_on_time()) continue;
-      const auto place = [&](std::size_t n) { return loaded.entries[n].position; };
-      const double size = append_samples(loaded.profile, place, loaded.entries.size(), time, sample.others);
-      for (const LoadedEntries::Entry& entry : loaded.entries) sample.power += size * std::abs(entry.factor);
-    }
-    return sample;
   }
 
   void fill_rates(double time, ConstField multipliers, Field rates) {
@@ -198,7 +156,6 @@ TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& bo
   for (RowProfile& entry : compiled->resistances) {
     loads.resistance_depends_on_time = loads.resistance_depends_on_time || entry.profile.depends_on_time();
   }
-  if (compiled->changes_with_time()) loads.sample = [compiled](double time) { return compiled->sample(time); };
   if (!compiled->surroundings.empty()) {
     loads.surroundings = [compiled](double time, Field temperature) {
       std::fill(temperature.begin(), temperature.end(), 0.0);

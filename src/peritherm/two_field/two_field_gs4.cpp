@@ -18,9 +18,8 @@ constexpr double least_residual = 1e-12;          ///< over the span of temperat
 /// A rate that backward Euler changes more in its first half step than this many times as in its second holds decays
 /// that are faster than the step.
 constexpr double stiff_change = 4.0;
-constexpr double error_to_halve = 2.0;  ///< over the error allowed: asks for half the step
-constexpr double impulse = 1e-9;        ///< length of a step onto the constraints, over the way to the first time
-constexpr double first_change = 0.01;   ///< of the span of temperatures, in a first trial step
+constexpr double impulse = 1e-9;       ///< length of a step onto the constraints, over the way to the first time
+constexpr double first_change = 0.01;  ///< of the span of temperatures, in a first trial step
 
 void combine(double a, const std::vector<double>& x, double b, const std::vector<double>& y,
              std::vector<double>& result) {
@@ -52,7 +51,6 @@ TwoFieldGs4::TwoFieldGs4(const GeneralisedSingleStep& options, const TwoFieldSys
       system_(system),
       parameters_(gs4_parameters(options)),
       sequence_(options.step),
-      looks_(system),
       stages_(system, method) {
   const TwoFieldState zeros = system.make_state();
   const FieldPair pair{zeros.temperature, zeros.flux, zeros.account_heats};
@@ -96,7 +94,6 @@ double TwoFieldGs4::march(double from, std::span<const double> times, TwoFieldSt
 }
 
 void TwoFieldGs4::begin(double to, TwoFieldState& state) {
-  if (sequence_.follows_errors()) looks_.look(reached_, to);
   if (started_) return sequence_.begin(reached_, to, sequence_.wanted());
   lowest_ = std::numeric_limits<double>::infinity();
   highest_ = -lowest_;
@@ -139,13 +136,7 @@ void TwoFieldGs4::meet_constraints(double to, TwoFieldState& state) {
   record(reached_, length, state);
 }
 
-bool TwoFieldGs4::step(TwoFieldState& state) {
-  if (sequence_.follows_errors() && sequence_.next() > looks_.reach(sequence_.time())) {
-    sequence_.reject(error_to_halve);
-    return false;
-  }
-  return starting_ ? start_step(state) : single_step(state);
-}
+bool TwoFieldGs4::step(TwoFieldState& state) { return starting_ ? start_step(state) : single_step(state); }
 
 /// Two half steps of backward Euler; taken if start values jump or their rates hold fast decays, else for the slope of
 /// the rates only.
@@ -268,7 +259,7 @@ void TwoFieldGs4::include(double time, const TwoFieldState& state) {
     highest_ = std::max(highest_, value);
   }
   const double size = std::max(std::abs(lowest_), std::abs(highest_));
-  span_ = std::max({highest_ - lowest_, 1e-9 * size, looks_.promise(), 1e-150});
+  span_ = std::max({highest_ - lowest_, 1e-9 * size, 1e-150});
 }
 
 void TwoFieldGs4::show_rates(TwoFieldState& state) const {

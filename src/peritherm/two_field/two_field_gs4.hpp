@@ -5,7 +5,6 @@
 
 #include "peritherm/integrators/gs4_parameters.hpp"
 #include "peritherm/integrators/step_sequence.hpp"
-#include "peritherm/two_field/load_looks.hpp"
 #include "peritherm/two_field/stage_cache.hpp"
 #include "peritherm/two_field/two_field_integrator.hpp"
 
@@ -63,7 +62,6 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
   const TwoFieldSystem& system_;
   Gs4Parameters parameters_;
   StepSequence sequence_;
-  LoadLooks looks_;
   StageCache stages_;
   FieldPair rate_;                          ///< v(n), for a step of rate_step_
   FieldPair corrected_, corrected_before_;  ///< the rate now, and step_before_ ago

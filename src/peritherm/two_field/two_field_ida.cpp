@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "peritherm/base/error.hpp"
-#include "peritherm/two_field/load_looks.hpp"
 #include "peritherm/two_field/stage_cache.hpp"
 #include "peritherm/two_field/state_layout.hpp"
 
@@ -40,7 +39,6 @@ class TwoFieldIda final : public TwoFieldIntegrator {
       : options_(options),
         system_(system),
         layout_(system),
-        looks_(system),
         stages_(system),
         context_(make_ida_context(), [](SUNContext context) { SUNContext_Free(&context); }),
         values_(make_vector()),
@@ -56,9 +54,8 @@ class TwoFieldIda final : public TwoFieldIntegrator {
     if (times.empty()) return from;
     if (!memory_ || from != reached_) start(from, times.back(), state);
     for (const double to : times) {
-      looks_.look(time, to);
+      IDASetStopTime(memory_.get(), to);
       while (time < to) {
-        IDASetStopTime(memory_.get(), std::min(to, looks_.reach(time)));
         time = step(time, to, state);
         if (follower.after_step && !follower.after_step(time, state)) return time;
       }
@@ -193,7 +190,7 @@ class TwoFieldIda final : public TwoFieldIntegrator {
     auto& own = *static_cast<TwoFieldIda*>(self);
     own.include(own.entries(values).first(own.system_.size()), own.time_);
     const double size = std::max(std::abs(own.lowest_), std::abs(own.highest_));
-    own.span_ = std::max({own.highest_ - own.lowest_, 1e-9 * size, own.looks_.promise(), 1e-150});
+    own.span_ = std::max({own.highest_ - own.lowest_, 1e-9 * size, 1e-150});
     own.layout_.set_weights(own.allowed(), own.entries(result));
     return std::isfinite(own.span_) ? 0 : -1;
   }
@@ -232,7 +229,6 @@ class TwoFieldIda final : public TwoFieldIntegrator {
   DifferentialAlgebraic options_;
   const TwoFieldSystem& system_;
   StateLayout layout_;
-  LoadLooks looks_;
   StageCache stages_;
   OwnedHandle<SUNContext> context_;
   OwnedHandle<N_Vector> values_, rates_;

@@ -20,20 +20,12 @@ struct PartLaw {
   double stabilisation = 1.0;             ///< s, of tr(k)/d · S [1]
 };
 
-/// A few values of everything prescribed that changes with time.
-struct LoadSample {
-  std::vector<double> temperatures;  ///< around the body [K]
-  std::vector<double> others;        ///< resistances, sources and fluxes
-  double power = 0.0;                ///< of sources and fluxes, whatever their signs [W]
-};
-
 /// What depends on time. Each function fills one entry per row or per point of all parts; none: zeros.
 struct TwoFieldLoads {
   std::function<void(double time, Field resistance)> resistance;     ///< R of every row [m² K/W]
   std::function<void(double time, Field temperature)> surroundings;  ///< g of every row [K]
   std::function<void(double time, Field heat)> heating;              ///< sources and prescribed fluxes, per point [W]
   bool resistance_depends_on_time = false;
-  std::function<LoadSample(double time)> sample;  ///< as long at all times; none: nothing changes
   /// Heat that enters through each boundary, and from sources, for the multipliers [W]. Integrators move its sums with
   /// the rule and the stages of the temperatures, so that energy balances to rounding.
   std::size_t accounts = 0;
