@@ -12,8 +12,11 @@ Each [[step]] of expect.toml runs in the same empty folder, into which the case 
   error_count        number of lines that begin with "error: "
   files, no_files    files that must be there afterwards, and that must not
   memory_limit_gib   address space that the program may use
+  tables             for the name of a CSV file: its columns, its number of rows, and zero_at_end: expressions of the
+                     columns that are 0 in its last row, but for 1e-12
 """
 
+import csv
 import resource
 import shutil
 import subprocess
@@ -23,7 +26,7 @@ import tomllib
 from pathlib import Path
 
 KEYS = {"command", "exit", "stdout", "stderr", "not_stdout", "not_stderr", "silent", "error_count", "files", "no_files",
-        "memory_limit_gib"}
+        "memory_limit_gib", "tables"}
 
 
 def run(program, step, folder):
@@ -63,6 +66,25 @@ def faults_of(step, result, folder):
     for name in step.get("no_files", []):
         if (folder / name).exists():
             yield f"there is {name}"
+    for name, table in step.get("tables", {}).items():
+        yield from table_faults(name, table, folder / name)
+
+
+def table_faults(name, expected, file):
+    if not file.is_file():
+        yield f"there is no table {name}"
+        return
+    columns, *rows = list(csv.reader(file.read_text(encoding="utf-8").splitlines()))
+    if columns != expected["columns"]:
+        yield f"{name} has the columns {columns}"
+        return
+    if len(rows) != expected["rows"]:
+        yield f"{name} has {len(rows)} rows"
+    last = dict(zip(columns, map(float, rows[-1])))
+    for expression in expected["zero_at_end"]:
+        value = eval(expression, {"__builtins__": {}}, last)
+        if not abs(value) < 1e-12:
+            yield f"{name}: {expression} is {value} in the last row"
 
 
 def main(program, case_folder):

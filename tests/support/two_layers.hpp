@@ -83,7 +83,10 @@ inline TwoFieldSystem make_two_plates(const TwoLayers& layers, int cells, double
   std::vector<ContactRow> rows;
   std::vector<std::array<std::vector<std::size_t>, 2>> sides;  // of each part, the places at low and at high x
   for (const double origin : {0.0, 0.5}) {
-    const ClosedPart plate = box_part(2, {cells, cells, 1}, spacing, ratio * spacing, {origin, 0.0, 0.0});
+    ClosedPart plate = box_part(2, {cells, cells, 1}, spacing, ratio * spacing, {origin, 0.0, 0.0});
+    for (SurfacePoint& face : plate.surface) {
+      if (face.position[0] == 0.5) face.second = 1;  // the contact, which carries on to its edges
+    }
     parts.emplace_back(2, plate.part, plate.surface, kernel);
     auto& own = sides.emplace_back();
     for (std::size_t n = 0; n < plate.surface.size(); ++n) {

@@ -10,6 +10,8 @@
 namespace peritherm {
 namespace {
 
+constexpr std::size_t most_sampled = 512;  ///< values of each profile that are looked at for jumps
+
 /// What is prescribed at a set of rows.
 struct RowProfile {
   CompiledProfile profile;
@@ -22,6 +24,14 @@ struct RowProfile {
                   " s, x = " + std::to_string(place[0]) + " m",
               "Let its expression stay positive; a contact that opens may keep a conductance of next to nothing",
               Fault::numerics);
+}
+
+/// Values at equal distances among so many places.
+template <class PlaceOf>
+void sample_each(CompiledProfile& profile, std::size_t places, const PlaceOf& place_of, double time,
+                 std::vector<double>& values) {
+  const std::size_t stride = profile.depends_on_place() ? places / most_sampled + 1 : places;
+  for (std::size_t n = 0; n < places; n += stride) values.push_back(profile(place_of(n), time));
 }
 
 /// The profiles of a two-field body, compiled once.
@@ -50,6 +60,31 @@ struct CompiledLoads {
     for (std::size_t r = 0; r < resistance.size(); ++r) {
       if (!(resistance[r] >= 0.0 && std::isfinite(resistance[r]))) refuse_resistance(resistance[r], positions[r], time);
     }
+  }
+
+  /// Of what depends on time, a few values each.
+  std::vector<double> sample(double time) {
+    std::vector<double> values;
+    for (auto* profiles : {&resistances, &surroundings}) {
+      for (RowProfile& entry : *profiles) {
+        if (!entry.profile.depends_on_time()) continue;
+        sample_each(
+            entry.profile, entry.rows.size(), [&](std::size_t n) { return positions[entry.rows[n]]; }, time, values);
+      }
+    }
+    for (LoadedEntries& load : heating) {
+      if (!load.profile.depends_on_time()) continue;
+      sample_each(
+          load.profile, load.entries.size(), [&](std::size_t n) { return load.entries[n].position; }, time, values);
+    }
+    return values;
+  }
+
+  bool depends_on_time() const {
+    const auto changes = [](const auto& entry) { return entry.profile.depends_on_time(); };
+    return std::any_of(resistances.begin(), resistances.end(), changes) ||
+           std::any_of(surroundings.begin(), surroundings.end(), changes) ||
+           std::any_of(heating.begin(), heating.end(), changes);
   }
 
   void fill_rates(double time, ConstField multipliers, Field rates) {
@@ -168,6 +203,7 @@ TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& bo
       for (LoadedEntries& entries : compiled->heating) entries.add(time, heat);
     };
   }
+  if (compiled->depends_on_time()) loads.sample = [compiled](double time) { return compiled->sample(time); };
   loads.accounts = problem.boundaries.size() + (problem.sources.empty() ? 0 : 1);
   loads.account_rates = [compiled](double time, ConstField multipliers, Field rates) {
     compiled->fill_rates(time, multipliers, rates);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,18 +16,6 @@ constexpr double least_jump = 1e-8;
 
 /// Rates of the surroundings over so many of the shortest decays: differences of fourth order.
 constexpr std::array<double, 5> forward_weights{-25.0 / 12.0, 4.0, -3.0, 4.0 / 3.0, -0.25};
-
-/// What a point's own conductance would take to even it out, at the fastest [s].
-double shortest_decay(const TwoFieldSystem& system) {
-  double rate = std::numeric_limits<double>::min();
-  for (std::size_t p = 0; p < system.parts().size(); ++p) {
-    const PatternRows rows = system.stage_conduction(p, 0.0);
-    for (std::size_t n = 0; n < rows.size(); ++n) {
-      rate = std::max(rate, rows.diagonal(n) / system.capacities()[system.first_point(p) + n]);
-    }
-  }
-  return 1.0 / rate;
-}
 
 std::vector<double> rates_of_surroundings(const TwoFieldSystem& system, double time) {
   std::vector<double> rates(system.multipliers(), 0.0);
@@ -108,6 +98,17 @@ class PerfectRows {
 
 }  // namespace
 
+double shortest_decay(const TwoFieldSystem& system) {
+  double rate = std::numeric_limits<double>::min();
+  for (std::size_t p = 0; p < system.parts().size(); ++p) {
+    const PatternRows rows = system.stage_conduction(p, 0.0);
+    for (std::size_t n = 0; n < rows.size(); ++n) {
+      rate = std::max(rate, rows.diagonal(n) / system.capacities()[system.first_point(p) + n]);
+    }
+  }
+  return 1.0 / rate;
+}
+
 std::optional<StartFault> find_start_fault(const TwoFieldSystem& system, double time, ConstField temperature) {
   const std::vector<double> resistance = system.resistances(time), outside = system.surroundings(time);
   std::vector<double> product(system.multipliers());
@@ -125,6 +126,15 @@ std::optional<StartFault> find_start_fault(const TwoFieldSystem& system, double 
   }
   if (worst.jump == 0.0) return {};
   return worst;
+}
+
+Error inconsistent_start(const TwoFieldSystem& system, const StartFault& fault) {
+  const ContactRow& row = system.rows()[fault.row];
+  return Error(fmt::format("start temperatures do not fit {} at ({:.6g}, {:.6g}, {:.6g}): they are off by {:.4g} K",
+                           row.second < 0 ? "what is held" : "the perfect contact", row.position[0], row.position[1],
+                           row.position[2], fault.jump),
+               "Let the initial temperature meet the held one there, or leave time.integrator.start at \"auto\", which "
+               "starts with backward Euler");
 }
 
 void make_consistent(const TwoFieldSystem& system, double time, TwoFieldState& state) {

@@ -1,13 +1,13 @@
 #include "peritherm/two_field/two_field_gs4.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/two_field/load_jumps.hpp"
+#include "peritherm/two_field/range_ahead.hpp"
 
 namespace peritherm {
 namespace {
@@ -18,30 +18,10 @@ constexpr double least_residual = 1e-12;          ///< over the span of temperat
 /// A rate that backward Euler changes more in its first half step than this many times as in its second holds decays
 /// that are faster than the step.
 constexpr double stiff_change = 4.0;
-constexpr double impulse = 1e-9;       ///< length of a step onto the constraints, over the way to the first time
-constexpr double first_change = 0.01;  ///< of the span of temperatures, in a first trial step
-
-void combine(double a, const std::vector<double>& x, double b, const std::vector<double>& y,
-             std::vector<double>& result) {
-  const auto count = static_cast<std::ptrdiff_t>(result.size());
-#pragma omp parallel for simd schedule(static)
-  for (std::ptrdiff_t n = 0; n < count; ++n) result[n] = a * x[n] + b * y[n];
-}
-
-void combine(double a, const FieldPair& x, double b, const FieldPair& y, FieldPair& result) {
-  combine(a, x.temperature, b, y.temperature, result.temperature);
-  for (std::size_t axis = 0; axis < x.flux.size(); ++axis) combine(a, x.flux[axis], b, y.flux[axis], result.flux[axis]);
-  for (std::size_t k = 0; k < x.accounts.size(); ++k) result.accounts[k] = a * x.accounts[k] + b * y.accounts[k];
-}
-
-Error inconsistent_start(const TwoFieldSystem& system, const StartFault& fault) {
-  const ContactRow& row = system.rows()[fault.row];
-  return Error(fmt::format("start temperatures do not fit {} at ({:.6g}, {:.6g}, {:.6g}): they are off by {:.4g} K",
-                           row.second < 0 ? "what is held" : "the perfect contact", row.position[0], row.position[1],
-                           row.position[2], fault.jump),
-               "Let the initial temperature meet the held one there, or leave time.integrator.start at \"auto\", which "
-               "starts with backward Euler");
-}
+constexpr double impulse = 1e-9;         ///< length of a step onto the constraints, over the way to the first time
+constexpr double good_share = 1e-6;      ///< of the shortest decay: a step that is good whatever its error
+constexpr double least_of_ahead = 1e-3;  ///< a smaller span of temperatures is as good as none
+constexpr double first_change = 0.01;    ///< of the span of temperatures, in a first trial step
 
 }  // namespace
 
@@ -79,24 +59,51 @@ double TwoFieldGs4::march(double from, std::span<const double> times, TwoFieldSt
   if (!started_ || from != reached_) {
     started_ = false;
     reached_ = from;
+    after_jump_ = false;
+    if (sequence_.follows_errors()) good_step_ = good_share * shortest_decay(system_);
+    lowest_ = std::numeric_limits<double>::infinity();
+    highest_ = -lowest_;
+    include(from, state);
+    if (sequence_.follows_errors() && !times.empty()) look_ahead(times.back(), state);
   }
   for (const double to : times) {
-    begin(to, state);
-    while (!sequence_.at_end()) {
-      if (!step(state)) continue;
-      reached_ = sequence_.time();
-      show_rates(state);
-      if (follower.after_step && !follower.after_step(reached_, state)) return reached_;
+    const int looks = looks_between(reached_, to, times.back() - from);
+    const LoadSearch search = sequence_.follows_errors() ? LoadSearch::jumps_and_ends_of_rest : LoadSearch::jumps;
+    for (const LoadJump& jump : find_load_jumps(system_.loads().sample, reached_, to, looks, search)) {
+      if (!march_to(jump.before, state, follower)) return reached_;
+      reached_ = jump.after;
+      started_ = false;
+      after_jump_ = true;
     }
+    if (!march_to(to, state, follower)) return reached_;
     if (follower.at_time && !follower.at_time(reached_, state)) return reached_;
   }
   return reached_;
 }
 
+/// Near one temperature everywhere errors count by what is to come.
+void TwoFieldGs4::look_ahead(double to, const TwoFieldState& state) {
+  const TemperatureRange ahead = range_ahead(system_, state.temperature, reached_, to);
+  if (highest_ - lowest_ >= least_of_ahead * (ahead.highest - ahead.lowest)) return;
+  lowest_ = ahead.lowest;
+  highest_ = ahead.highest;
+}
+
+/// Where loads do not jump; false if the follower ends the march.
+bool TwoFieldGs4::march_to(double to, TwoFieldState& state, const TwoFieldFollower& follower) {
+  if (!(reached_ < to)) return true;
+  begin(to, state);
+  while (!sequence_.at_end()) {
+    if (!step(state)) continue;
+    reached_ = sequence_.time();
+    show_rates(state);
+    if (follower.after_step && !follower.after_step(reached_, state)) return false;
+  }
+  return true;
+}
+
 void TwoFieldGs4::begin(double to, TwoFieldState& state) {
   if (started_) return sequence_.begin(reached_, to, sequence_.wanted());
-  lowest_ = std::numeric_limits<double>::infinity();
-  highest_ = -lowest_;
   find_start(to, state);
   started_ = true;
   include(reached_, state);
@@ -110,20 +117,29 @@ void TwoFieldGs4::begin(double to, TwoFieldState& state) {
 }
 
 void TwoFieldGs4::find_start(double to, TwoFieldState& state) {
-  const auto fault = find_start_fault(system_, reached_, state.temperature);
-  if (fault && options_.start == SingleStepStart::consistent) throw inconsistent_start(system_, *fault);
+  if (start() == SingleStepStart::consistent) {
+    const auto fault = find_start_fault(system_, reached_, state.temperature);
+    if (fault) throw inconsistent_start(system_, *fault);
+  }
+  const bool off = is_off(state);
   has_history_ = false;
   step_error_ = 0.0;
   rate_step_ = 0.0;
-  starting_ = options_.start != SingleStepStart::consistent || sequence_.follows_errors();
+  starting_ = start() != SingleStepStart::consistent || sequence_.follows_errors();
   knows_rates_ = false;
-  if (fault && !sequence_.follows_errors()) return;
-  if (fault) meet_constraints(to, state);
+  if (off && !sequence_.follows_errors()) return;
+  if (off) meet_constraints(to, state);
   make_consistent(system_, reached_, state);
   corrected_ = {state.temperature_rate, state.flux_rate, state.account_rates};
   if (system_.loads().account_rates) system_.loads().account_rates(reached_, state.multipliers, corrected_.accounts);
   rate_ = corrected_;
   knows_rates_ = true;
+}
+
+/// What a user gives may miss the rows by what discretisation explains; in the midst of a march all heat is accounted.
+bool TwoFieldGs4::is_off(const TwoFieldState& state) const {
+  if (after_jump_) return system_.constraint_residual(reached_, state) > least_residual * span_;
+  return find_start_fault(system_, reached_, state.temperature).has_value();
 }
 
 /// Start values that jump come to meet what holds them in no time, whatever the step: the error of that is none.
@@ -153,12 +169,12 @@ bool TwoFieldGs4::start_step(TwoFieldState& state) {
   if (sequence_.follows_errors()) {
     include(begin + 2.0 * half, trial);
     const double error = half * later / allowed();
-    if (!(error <= 1.0)) return reject(error);
+    if (must_repeat(error)) return false;
   }
   starting_ = false;
   const bool rough =
       !knows_rates_ || rms(1.0, corrected_before_, -1.0, corrected_, 0.0, corrected_) > stiff_change * later;
-  if (options_.start == SingleStepStart::backward_euler || (rough && options_.start == SingleStepStart::automatic)) {
+  if (start() == SingleStepStart::backward_euler || (rough && start() == SingleStepStart::automatic)) {
     take_start(half, sequence_.follows_errors() ? half * later / allowed() : 0.0, state, trial);
     return true;
   }
@@ -194,7 +210,7 @@ bool TwoFieldGs4::single_step(TwoFieldState& state) {
   combine(1.0 - lag, new_rate_, lag, rate_, new_corrected_);
   step_error_ = error_of_step(length);
   const double error = sequence_.follows_errors() ? step_error_ / allowed() : 0.0;
-  if (!(error <= 1.0)) return reject(error);
+  if (must_repeat(error)) return false;
   add_change(state);
   std::swap(rate_, new_rate_);
   std::swap(corrected_before_, corrected_);
@@ -206,10 +222,12 @@ bool TwoFieldGs4::single_step(TwoFieldState& state) {
   return true;
 }
 
-bool TwoFieldGs4::reject(double error) {
+/// Loads with a kink, on a body that was at rest, are off by much whatever the step; a very short one has done no harm.
+bool TwoFieldGs4::must_repeat(double error) {
+  if (error <= 1.0 || (std::isfinite(error) && sequence_.length() <= good_step_)) return false;
   ++count_.steps.rejected;
   sequence_.reject(error);
-  return false;
+  return true;
 }
 
 void TwoFieldGs4::record(double time, double length, const TwoFieldState& state) {

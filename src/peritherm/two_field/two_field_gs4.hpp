@@ -5,17 +5,11 @@
 
 #include "peritherm/integrators/gs4_parameters.hpp"
 #include "peritherm/integrators/step_sequence.hpp"
+#include "peritherm/two_field/field_pair.hpp"
 #include "peritherm/two_field/stage_cache.hpp"
 #include "peritherm/two_field/two_field_integrator.hpp"
 
 namespace peritherm {
-
-/// Temperatures, fluxes axis by axis, and the heat of each account; or their rates.
-struct FieldPair {
-  std::vector<double> temperature;
-  std::vector<std::vector<double>> flux;
-  std::vector<double> accounts;
-};
 
 /// GS4-1 for two fields with constraints: what has a rate is balanced within the step, at t(n) + α_f h; constraints,
 /// and fluxes without a rate of their own, hold at its end. Second order in temperatures, fluxes, multipliers and
@@ -34,14 +28,18 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
   const FieldPair& raw_rate() const { return rate_; }
 
  private:
+  bool march_to(double to, TwoFieldState& state, const TwoFieldFollower& follower);
+  void look_ahead(double to, const TwoFieldState& state);
   void begin(double to, TwoFieldState& state);
   void find_start(double to, TwoFieldState& state);
   void meet_constraints(double to, TwoFieldState& state);
+  bool is_off(const TwoFieldState& state) const;
+  SingleStepStart start() const { return after_jump_ ? SingleStepStart::automatic : options_.start; }
   bool step(TwoFieldState& state);
   bool start_step(TwoFieldState& state);
   void take_start(double half, double error, TwoFieldState& state, const TwoFieldState& trial);
   bool single_step(TwoFieldState& state);
-  bool reject(double error);
+  bool must_repeat(double error);
   void solve(const Gs4Parameters& with, double time, double length, const FieldPair& rate, const TwoFieldState& state);
   void make_right(const Gs4Parameters& with, double time, double length, const FieldPair& rate,
                   const TwoFieldState& state);
@@ -75,7 +73,9 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
   TwoFieldCount count_;
   double reached_ = 0.0, rate_step_ = 0.0, step_before_ = 0.0;  ///< [s]
   double step_error_ = 0.0;                                     ///< estimate for the last step [K]
+  double good_step_ = 0.0;                                      ///< whatever the error [s]
   bool started_ = false, starting_ = false, has_history_ = false, knows_rates_ = false;
+  bool after_jump_ = false;                           ///< begin anew in the midst of a march
   double lowest_ = 0.0, highest_ = 0.0, span_ = 0.0;  ///< [K]
 };
 

@@ -15,6 +15,8 @@
 #include <utility>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/two_field/load_jumps.hpp"
+#include "peritherm/two_field/range_ahead.hpp"
 #include "peritherm/two_field/stage_cache.hpp"
 #include "peritherm/two_field/state_layout.hpp"
 
@@ -50,18 +52,19 @@ class TwoFieldIda final : public TwoFieldIntegrator {
 
   double march(double from, std::span<const double> times, TwoFieldState& state,
                const TwoFieldFollower& follower) override {
-    double time = from;
     if (times.empty()) return from;
     if (!memory_ || from != reached_) start(from, times.back(), state);
     for (const double to : times) {
-      IDASetStopTime(memory_.get(), to);
-      while (time < to) {
-        time = step(time, to, state);
-        if (follower.after_step && !follower.after_step(time, state)) return time;
+      const int looks = looks_between(reached_, to, times.back() - from);
+      for (const LoadJump& jump :
+           find_load_jumps(system_.loads().sample, reached_, to, looks, LoadSearch::jumps_and_ends_of_rest)) {
+        if (!march_to(jump.before, state, follower)) return reached_;
+        start(jump.after, times.back(), state);
       }
-      if (follower.at_time && !follower.at_time(time, state)) return time;
+      if (!march_to(to, state, follower)) return reached_;
+      if (follower.at_time && !follower.at_time(reached_, state)) return reached_;
     }
-    return time;
+    return reached_;
   }
 
   TwoFieldCount count() const override {
@@ -69,15 +72,29 @@ class TwoFieldIda final : public TwoFieldIntegrator {
     count.factorisations = stages_.factorisations();
     count.iterations = stages_.iterations();
     if (count.steps.accepted == 0) count.shortest_step = 0.0;
-    if (!memory_) return count;
-    long errors = 0, failures = 0;
-    IDAGetNumErrTestFails(memory_.get(), &errors);
-    IDAGetNumNonlinSolvConvFails(memory_.get(), &failures);
-    count.steps.rejected = errors + failures;
+    count.steps.rejected += rejected_since_start();
     return count;
   }
 
  private:
+  long rejected_since_start() const {
+    if (!memory_) return 0;
+    long errors = 0, failures = 0;
+    IDAGetNumErrTestFails(memory_.get(), &errors);
+    IDAGetNumNonlinSolvConvFails(memory_.get(), &failures);
+    return errors + failures;
+  }
+
+  /// Where loads do not jump; false if the follower ends the march.
+  bool march_to(double to, TwoFieldState& state, const TwoFieldFollower& follower) {
+    IDASetStopTime(memory_.get(), to);
+    while (reached_ < to) {
+      step(to, state);
+      if (follower.after_step && !follower.after_step(reached_, state)) return false;
+    }
+    return true;
+  }
+
   OwnedHandle<N_Vector> make_vector() {
     const auto size = static_cast<sunindextype>(layout_.size());
     return {N_VNew_OpenMP(size, omp_get_max_threads(), context_.get()), [](N_Vector vector) { N_VDestroy(vector); }};
@@ -86,7 +103,7 @@ class TwoFieldIda final : public TwoFieldIntegrator {
   Field entries(N_Vector vector) const { return {N_VGetArrayPointer(vector), layout_.size()}; }
 
   void start(double from, double end, TwoFieldState& state) {
-    if (const auto fault = find_start_fault(system_, from, state.temperature)) refuse(*fault);
+    if (const auto fault = find_start_fault(system_, from, state.temperature)) refuse(*fault, from);
     make_consistent(system_, from, state);
     if (system_.loads().account_rates) system_.loads().account_rates(from, state.multipliers, state.account_rates);
     layout_.write(state, entries(values_.get()));
@@ -94,6 +111,7 @@ class TwoFieldIda final : public TwoFieldIntegrator {
     look_ahead(from, end, state);
     reached_ = from;
     time_ = from;
+    count_.steps.rejected += rejected_since_start();
     memory_.reset(IDACreate(context_.get()));
     void* const memory = memory_.get();
     const OwnedHandle<N_Vector> kinds = make_vector();
@@ -107,12 +125,10 @@ class TwoFieldIda final : public TwoFieldIntegrator {
     for (const int flag : flags) expect_success(flag);
   }
 
-  /// From one temperature everywhere, errors can be measured by what is to come only.
   void look_ahead(double from, double end, const TwoFieldState& state) {
-    constexpr int looks = 64;
-    lowest_ = std::numeric_limits<double>::infinity();
-    highest_ = -lowest_;
-    for (int k = 0; k <= looks; ++k) include(state.temperature, from + (end - from) * k / looks);
+    const TemperatureRange ahead = range_ahead(system_, state.temperature, from, end);
+    lowest_ = ahead.lowest;
+    highest_ = ahead.highest;
     const auto rate = std::minmax_element(state.temperature_rate.begin(), state.temperature_rate.end());
     if (highest_ == lowest_) {
       highest_ += std::max(0.0, *rate.second) * (end - from);
@@ -133,16 +149,19 @@ class TwoFieldIda final : public TwoFieldIntegrator {
     }
   }
 
-  [[noreturn]] void refuse(const StartFault& fault) const {
+  [[noreturn]] void refuse(const StartFault& fault, double time) const {
     const ContactRow& row = system_.rows()[fault.row];
     std::ostringstream text;
-    text << "the integrator ida needs start temperatures that fit contacts and held temperatures; at ("
+    text << "the integrator ida needs temperatures that fit contacts and held temperatures; at t = " << time << " s, ("
          << row.position[0] << ", " << row.position[1] << ", " << row.position[2] << ") they are off by " << fault.jump
          << " K";
-    throw Error(text.str(), "Let them meet there, or choose \"gs4\", which starts with backward Euler");
+    throw Error(text.str(),
+                "Let them meet there, or choose \"gs4\", which starts with backward Euler, also where "
+                "held temperatures jump");
   }
 
-  double step(double from, double to, TwoFieldState& state) {
+  void step(double to, TwoFieldState& state) {
+    const double from = reached_;
     double time = from;
     expect_success(IDASolve(memory_.get(), to, &time, values_.get(), rates_.get(), IDA_ONE_STEP));
     layout_.read(entries(values_.get()), state);
@@ -152,7 +171,6 @@ class TwoFieldIda final : public TwoFieldIntegrator {
     count_.longest_step = std::max(count_.longest_step, time - from);
     count_.shortest_step = std::min(count_.shortest_step, time - from);
     count_.largest_residual = std::max(count_.largest_residual, system_.constraint_residual(time, state));
-    return time;
   }
 
   void expect_success(int flag) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "peritherm/base/error.hpp"
 #include "peritherm/two_field/contact_rows.hpp"
 #include "peritherm/two_field/nonlocal_operators.hpp"
 
@@ -26,6 +27,8 @@ struct TwoFieldLoads {
   std::function<void(double time, Field temperature)> surroundings;  ///< g of every row [K]
   std::function<void(double time, Field heat)> heating;              ///< sources and prescribed fluxes, per point [W]
   bool resistance_depends_on_time = false;
+  /// Some of the values that depend on time, enough to see when any of them jumps; none: nothing jumps.
+  std::function<std::vector<double>(double time)> sample;
   /// Heat that enters through each boundary, and from sources, for the multipliers [W]. Integrators move its sums with
   /// the rule and the stages of the temperatures, so that energy balances to rounding.
   std::size_t accounts = 0;
@@ -104,6 +107,9 @@ class TwoFieldSystem {
   bool has_fluxes_ = false;
 };
 
+/// What a point's own conductance would take to even it out, at the fastest [s].
+double shortest_decay(const TwoFieldSystem& system);
+
 /// How far the rows with R = 0 are from what the temperatures say at the start.
 struct StartFault {
   std::size_t row = 0;
@@ -111,6 +117,9 @@ struct StartFault {
 };
 /// The row with the largest, if it is above what discretisation explains.
 std::optional<StartFault> find_start_fault(const TwoFieldSystem& system, double time, ConstField temperature);
+
+/// What to say of it, and the mend.
+Error inconsistent_start(const TwoFieldSystem& system, const StartFault& fault);
 
 /// Consistent rates and multipliers for temperatures and fluxes (τ > 0; else they are not read). Temperatures move onto
 /// the rows with R = 0 by the least change in heat; their rates keep the rows.
