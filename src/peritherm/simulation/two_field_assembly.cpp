@@ -6,6 +6,7 @@
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/two_field_loads.hpp"
+#include "peritherm/two_field/row_solver.hpp"
 
 namespace peritherm {
 namespace {
@@ -57,6 +58,9 @@ PartOperators make_operators(const DividedBody& body, const Kernel& kernel) {
 }
 
 /// Collects the rows of a body, what they mean, and the fluxes through its surface.
+/// Of a row's square: what held temperatures add to those before.
+constexpr double least_independence_of_held = 1e-2;
+
 class RowCollector {
  public:
   RowCollector(const Problem& problem, const DividedBody& body, const MaterialTable& table, const PartOperators& parts)
@@ -76,6 +80,8 @@ class RowCollector {
         add_boundary(s);
       }
     }
+    // In corners of solids three held faces ask for more than their points can give.
+    if (body_.dimension == 3) leave_out_dependent();
   }
 
   std::vector<ContactRow> rows;
@@ -125,6 +131,49 @@ class RowCollector {
     } else if (!std::holds_alternative<Insulated>(condition)) {
       rows.push_back({place.first, trace, -1, {}, place.area, place.position});
       meanings.push_back({-1, number});
+    }
+  }
+
+  /// Rows of held temperatures that almost follow from others are left out: what these hold is held there, too.
+  void leave_out_dependent() {
+    std::vector<double> inverse;
+    for (const SubDomain& part : body_.parts) {
+      for (const double volume : part.volumes) inverse.push_back(1.0 / volume);
+    }
+    std::vector<std::size_t> ends = first_;
+    ends.push_back(inverse.size());
+    for (bool again = true; again;) {
+      std::vector<std::size_t> held;
+      for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (is_held(meanings[row])) held.push_back(row);
+      }
+      std::vector<char> leaves(rows.size(), 0);
+      const std::vector<std::size_t> found =
+          find_dependent_rows(ContactMatrix(rows, ends).gram(inverse, held), least_independence_of_held);
+      for (const std::size_t n : found) leaves[held[n]] = 1;
+      again = !found.empty();
+      if (again) leave_out(leaves);
+    }
+  }
+
+  bool is_held(const RowMeaning& meaning) const {
+    return meaning.boundary >= 0 && std::holds_alternative<HeldTemperature>(
+                                        problem_.boundaries[static_cast<std::size_t>(meaning.boundary)].condition);
+  }
+
+  void leave_out(const std::vector<char>& leaves) {
+    std::vector<std::size_t> number_of(rows.size());
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      number_of[row] = kept;
+      if (leaves[row]) continue;
+      if (kept != row) rows[kept] = std::move(rows[row]);
+      meanings[kept++] = meanings[row];
+    }
+    rows.resize(kept);
+    meanings.resize(kept);
+    for (Interface& interface : interfaces) {
+      for (std::size_t& row : interface.rows) row = number_of[row];
     }
   }
 

@@ -18,8 +18,14 @@ class FaceTraces {
   /// face of the outside ends there.
   std::optional<Trace> at(const SurfacePoint& place) const;
 
+  /// The axis along the edge of a solid that an outside face of a cell lies beside: there traces must keep to their own
+  /// slice, else those of both faces follow from one another. None in corners.
+  std::optional<int> edge_at(const SurfacePoint& place) const;
+
  private:
-  bool ends_beside(PointIndex first, int axis) const;
+  std::optional<int> axis_of(const SurfacePoint& place) const;
+  PointIndex point_below(const SurfacePoint& place, int axis) const;
+  bool ends_beside(PointIndex first, int along) const;
   std::optional<Trace> row_below(const Point& face, int axis, int side) const;
 
   int dimension_;

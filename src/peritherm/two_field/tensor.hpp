@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "peritherm/base/field.hpp"
+#include "peritherm/geometry/vector.hpp"
 
 namespace peritherm {
 
@@ -18,8 +19,6 @@ inline Point product(const Tensor& tensor, const Point& vector) {
   }
   return result;
 }
-
-inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 struct InvertedTensor {
   Tensor inverse{};

@@ -18,6 +18,7 @@ constexpr double least_residual = 1e-12;          ///< over the span of temperat
 /// A rate that backward Euler changes more in its first half step than this many times as in its second holds decays
 /// that are faster than the step.
 constexpr double stiff_change = 4.0;
+constexpr double error_to_halve = 2.0;   ///< over the error allowed: asks for half the step
 constexpr double impulse = 1e-9;         ///< length of a step onto the constraints, over the way to the first time
 constexpr double good_share = 1e-6;      ///< of the shortest decay: a step that is good whatever its error
 constexpr double least_of_ahead = 1e-3;  ///< a smaller span of temperatures is as good as none
@@ -31,6 +32,7 @@ TwoFieldGs4::TwoFieldGs4(const GeneralisedSingleStep& options, const TwoFieldSys
       system_(system),
       parameters_(gs4_parameters(options)),
       sequence_(options.step),
+      looks_(system.loads().sample),
       stages_(system, method) {
   const TwoFieldState zeros = system.make_state();
   const FieldPair pair{zeros.temperature, zeros.flux, zeros.account_heats};
@@ -96,13 +98,16 @@ bool TwoFieldGs4::march_to(double to, TwoFieldState& state, const TwoFieldFollow
   while (!sequence_.at_end()) {
     if (!step(state)) continue;
     reached_ = sequence_.time();
-    show_rates(state);
+    state.temperature_rate = corrected_.temperature;
+    state.flux_rate = corrected_.flux;
+    state.account_rates = corrected_.accounts;
     if (follower.after_step && !follower.after_step(reached_, state)) return false;
   }
   return true;
 }
 
 void TwoFieldGs4::begin(double to, TwoFieldState& state) {
+  if (sequence_.follows_errors()) looks_.look(reached_, to);
   if (started_) return sequence_.begin(reached_, to, sequence_.wanted());
   find_start(to, state);
   started_ = true;
@@ -152,7 +157,11 @@ void TwoFieldGs4::meet_constraints(double to, TwoFieldState& state) {
   record(reached_, length, state);
 }
 
-bool TwoFieldGs4::step(TwoFieldState& state) { return starting_ ? start_step(state) : single_step(state); }
+bool TwoFieldGs4::step(TwoFieldState& state) {
+  const bool too_far = sequence_.follows_errors() && sequence_.next() > looks_.reach(sequence_.time());
+  if (too_far) sequence_.reject(error_to_halve);
+  return !too_far && (starting_ ? start_step(state) : single_step(state));
+}
 
 /// Two half steps of backward Euler; taken if start values jump or their rates hold fast decays, else for the slope of
 /// the rates only.
@@ -272,18 +281,11 @@ void TwoFieldGs4::include(double time, const TwoFieldState& state) {
   const std::vector<double> outside = system_.surroundings(time);
   for (std::size_t r = 0; r < outside.size(); ++r) {
     if (system_.rows()[r].second >= 0) continue;
-    const double value = outside[r] / system_.rows()[r].area;
-    lowest_ = std::min(lowest_, value);
-    highest_ = std::max(highest_, value);
+    lowest_ = std::min(lowest_, outside[r] / system_.rows()[r].area);
+    highest_ = std::max(highest_, outside[r] / system_.rows()[r].area);
   }
   const double size = std::max(std::abs(lowest_), std::abs(highest_));
   span_ = std::max({highest_ - lowest_, 1e-9 * size, 1e-150});
-}
-
-void TwoFieldGs4::show_rates(TwoFieldState& state) const {
-  state.temperature_rate = corrected_.temperature;
-  state.flux_rate = corrected_.flux;
-  state.account_rates = corrected_.accounts;
 }
 
 void TwoFieldGs4::add_change(TwoFieldState& state) const {
@@ -291,7 +293,7 @@ void TwoFieldGs4::add_change(TwoFieldState& state) const {
   for (std::size_t axis = 0; axis < state.flux.size(); ++axis) {
     combine(1.0, state.flux[axis], 1.0, change_.flux[axis], state.flux[axis]);
   }
-  for (std::size_t k = 0; k < change_.accounts.size(); ++k) state.account_heats[k] += change_.accounts[k];
+  combine(1.0, state.account_heats, 1.0, change_.accounts, state.account_heats);
   state.multipliers = multipliers_;
 }
 

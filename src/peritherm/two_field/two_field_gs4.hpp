@@ -6,6 +6,7 @@
 #include "peritherm/integrators/gs4_parameters.hpp"
 #include "peritherm/integrators/step_sequence.hpp"
 #include "peritherm/two_field/field_pair.hpp"
+#include "peritherm/two_field/load_looks.hpp"
 #include "peritherm/two_field/stage_cache.hpp"
 #include "peritherm/two_field/two_field_integrator.hpp"
 
@@ -49,7 +50,6 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
                      const TwoFieldState& state);
   void guess(double length);
   void add_change(TwoFieldState& state) const;
-  void show_rates(TwoFieldState& state) const;
   void include(double time, const TwoFieldState& state);
   void record(double time, double length, const TwoFieldState& state);
   double error_of_step(double length) const;
@@ -60,6 +60,7 @@ class TwoFieldGs4 final : public TwoFieldIntegrator {
   const TwoFieldSystem& system_;
   Gs4Parameters parameters_;
   StepSequence sequence_;
+  LoadLooks looks_;
   StageCache stages_;
   FieldPair rate_;                          ///< v(n), for a step of rate_step_
   FieldPair corrected_, corrected_before_;  ///< the rate now, and step_before_ ago

@@ -16,6 +16,7 @@
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/two_field/load_jumps.hpp"
+#include "peritherm/two_field/load_looks.hpp"
 #include "peritherm/two_field/range_ahead.hpp"
 #include "peritherm/two_field/stage_cache.hpp"
 #include "peritherm/two_field/state_layout.hpp"
@@ -41,6 +42,7 @@ class TwoFieldIda final : public TwoFieldIntegrator {
       : options_(options),
         system_(system),
         layout_(system),
+        looks_(system.loads().sample),
         stages_(system),
         context_(make_ida_context(), [](SUNContext context) { SUNContext_Free(&context); }),
         values_(make_vector()),
@@ -87,8 +89,9 @@ class TwoFieldIda final : public TwoFieldIntegrator {
 
   /// Where loads do not jump; false if the follower ends the march.
   bool march_to(double to, TwoFieldState& state, const TwoFieldFollower& follower) {
-    IDASetStopTime(memory_.get(), to);
+    looks_.look(reached_, to);
     while (reached_ < to) {
+      IDASetStopTime(memory_.get(), std::min(to, looks_.reach(reached_)));
       step(to, state);
       if (follower.after_step && !follower.after_step(reached_, state)) return false;
     }
@@ -247,6 +250,7 @@ class TwoFieldIda final : public TwoFieldIntegrator {
   DifferentialAlgebraic options_;
   const TwoFieldSystem& system_;
   StateLayout layout_;
+  LoadLooks looks_;
   StageCache stages_;
   OwnedHandle<SUNContext> context_;
   OwnedHandle<N_Vector> values_, rates_;
