@@ -162,6 +162,30 @@ TEST(TwoFieldCase, a_conductivity_tensor_must_let_heat_flow_from_hot_to_cold) {
   EXPECT_TRUE(any_has(faults_of(problem), "Give [xx, yy, xy]"));
 }
 
+TEST(TwoFieldDisplay, shapes_decide_which_part_a_place_beside_an_oblique_interface_is_in) {
+  Problem problem = unit_body(2, 16, 2.0);
+  problem.nonlocality.model = Model::two_field;
+  problem.nonlocality.kernel = {ConstantKernel{}, 1};
+  problem.materials["other"] = {0.25, 2.0, 1.0};
+  const HalfSpace shape{{1.0, 0.7}, 0.7};
+  problem.body.regions.push_back({"other", shape});
+  problem.contacts.push_back({{"body", "other"}, ContactResistance{Profile(1.0)}});
+  problem.initial.temperature = Profile("x + 0.7*y <= 0.7*sqrt(1.49) ? 100 + x : y");
+  check(problem);
+  const auto running = make_running_case(problem);
+  const Snapshot snapshot = running->snapshot(0.0);
+  for (int i = 1; i < 40; ++i) {
+    const double x = 0.35 + 0.012 * i, y = (0.7 * std::sqrt(1.49) - x) / 0.7;
+    if (y < 0.0 || y > 1.0) continue;
+    for (const double height : {-0.03, -1e-3, 1e-3, 0.03}) {
+      const Point place{x + height, y, 0.0};
+      if (place[0] > 1.0) continue;
+      // Linear on both sides: kept to rounding, also where a place is nearer to points of the other part.
+      EXPECT_NEAR(snapshot.temperature_at(place), height < 0.0 ? 100.0 + place[0] : place[1], 1e-11);
+    }
+  }
+}
+
 TEST(TwoFieldDisplay, refines_its_raster_and_never_mixes_parts) {
   Grid grid;
   grid.dimension = 1;
