@@ -154,6 +154,18 @@ TEST(TwoFieldCase, says_everything_that_is_wrong_at_once) {
   EXPECT_TRUE(any_has(faults, "numerics.backend: is for nonlocality.model = \"bond\" only"));
 }
 
+TEST(TwoFieldCase, contacts_whose_files_would_have_one_name_are_refused) {
+  Problem problem = two_touching_layers(1, 80);
+  problem.body.regions.push_back({"body", Box{{0.75}, {1.0}}, "last"});
+  problem.contacts.push_back({{"body", "other"}, ContactResistance{Profile(1.0)}, "X"});
+  problem.contacts.push_back({{"other", "last"}, ContactResistance{Profile(1.0)}, "x"});
+  problem.contacts[0].between[0] = "first";
+  problem.body.regions.insert(problem.body.regions.begin(), {"body", Box{{0.0}, {0.5}}, "first"});
+  EXPECT_EQ(faults_of(problem), std::vector<std::string>{}) << "no files are asked for";
+  problem.outputs.push_back({std::nullopt, std::vector<double>{0.1}, ContactOutput{}});
+  EXPECT_TRUE(any_has(faults_of(problem), "contact.1.name: 'x' and 'X' have the same file, contact_x.csv"));
+}
+
 TEST(TwoFieldCase, a_conductivity_tensor_must_let_heat_flow_from_hot_to_cold) {
   Problem problem = two_touching_layers(2, 14);
   problem.materials["body"].conductivity_tensor = {1.0, 1.0, 2.0};
