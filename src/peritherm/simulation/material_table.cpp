@@ -73,6 +73,16 @@ MaterialTable make_material_table(const Problem& problem) {
   return table;
 }
 
+std::function<MaterialIndex(const Point& place)> material_finder(const Problem& problem, const MaterialTable& table) {
+  return [&problem, of_region = table.of_region, background = table.background](const Point& place) {
+    const std::vector<BodyRegion>& regions = problem.body.regions;
+    for (std::size_t r = regions.size(); r-- > 0;) {
+      if (contains(regions[r].shape, place, 0.0)) return of_region[r];
+    }
+    return background;
+  };
+}
+
 int contact_between(const Problem& problem, const MaterialTable& table, MaterialIndex first, MaterialIndex second) {
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactOptions& contact = problem.contacts[c];

@@ -174,6 +174,41 @@ TEST(TwoFieldCase, a_conductivity_tensor_must_let_heat_flow_from_hot_to_cold) {
   EXPECT_TRUE(any_has(faults_of(problem), "Give [xx, yy, xy]"));
 }
 
+TEST(ContactJumps, probes_of_both_models_tell_the_temperatures_on_both_sides) {
+  for (const Model model : {Model::bond, Model::two_field}) {
+    Problem problem = two_touching_layers(1, 40);
+    problem.nonlocality.model = model;
+    problem.initial.temperature = Profile("x < 0.5 ? 1 - x : 5 + x");
+    if (model == Model::bond) problem.time.integrator = AutomaticStepping{};
+    problem.contacts.push_back({{"body", "other"}, ContactResistance{Profile(1e12)}});
+    check(problem);
+    const auto running = make_running_case(problem);
+    const Snapshot snapshot = running->snapshot(0.0);
+    // Linear on both sides, which a line through two points keeps to rounding.
+    EXPECT_NEAR(temperature_at(snapshot, {0.4999, 0.0, 0.0}), 0.5001, 1e-12);
+    EXPECT_NEAR(temperature_at(snapshot, {0.5001, 0.0, 0.0}), 5.5001, 1e-12);
+    EXPECT_TRUE(snapshot.jumps.between(0, 1, {0.5, 0.0, 0.0}));
+  }
+}
+
+TEST(ContactJumps, follow_resistances_of_place_and_time) {
+  Problem problem = two_touching_layers(2, 16);
+  const auto jump_at = [&](double y, double time) {
+    const auto running = make_running_case(problem);
+    const MaterialJumps jumps = running->snapshot(time).jumps;
+    return jumps && jumps.between(1, 0, {0.5, y, 0.0});
+  };
+  EXPECT_FALSE(jump_at(0.2, 0.0)) << "perfect where nothing is said";
+  problem.contacts.push_back({{"body", "other"}, ContactResistance{Profile("y < 0.5 ? 0 : t")}});
+  EXPECT_FALSE(jump_at(0.2, 1.0));
+  EXPECT_FALSE(jump_at(0.7, 0.0));
+  EXPECT_TRUE(jump_at(0.7, 1.0));
+  problem.contacts[0].law = ContactResistance{Profile(0.0)};
+  EXPECT_FALSE(jump_at(0.2, 1.0));
+  problem.contacts[0].law = ContactConductance{Profile(2.0)};
+  EXPECT_TRUE(jump_at(0.2, 1.0));
+}
+
 TEST(TwoFieldDisplay, shapes_decide_which_part_a_place_beside_an_oblique_interface_is_in) {
   Problem problem = unit_body(2, 16, 2.0);
   problem.nonlocality.model = Model::two_field;
