@@ -67,8 +67,14 @@ void SectionSampler::find_mixed_cells() {
 }
 
 MaterialIndex SectionSampler::material_at(const Place& place) const {
-  const std::size_t cell = interval(section_.y, place.y) * section_.x.size() + interval(section_.x, place.x);
-  return mixed_[cell] ? section_.jumps.material_at(section_.lift(place)) : section_.materials[cell];
+  const auto& x = section_.x;
+  const auto& y = section_.y;
+  const std::size_t cell = interval(y, place.y) * x.size() + interval(x, place.x);
+  if (!mixed_[cell]) return section_.materials[cell];
+  // Shapes may end with the body, which is no interface.
+  const double inside = 1e-6 * section_.spacing;
+  return section_.jumps.material_at(section_.lift({std::clamp(place.x, x.front() + inside, x.back() - inside),
+                                                   std::clamp(place.y, y.front() + inside, y.back() - inside)}));
 }
 
 bool SectionSampler::jumps(MaterialIndex one, MaterialIndex other, const Place& place) const {

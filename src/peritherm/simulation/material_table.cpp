@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "peritherm/base/error.hpp"
+#include "peritherm/simulation/check.hpp"
 
 namespace peritherm {
 namespace {
@@ -74,10 +75,12 @@ MaterialTable make_material_table(const Problem& problem) {
 }
 
 std::function<MaterialIndex(const Point& place)> material_finder(const Problem& problem, const MaterialTable& table) {
-  return [&problem, of_region = table.of_region, background = table.background](const Point& place) {
+  // As for the points of a body: ends of the box belong to shapes that end there, whatever rounding did to them.
+  const double slack = 1e-9 * make_grid(problem).spacing;
+  return [&problem, slack, of_region = table.of_region, background = table.background](const Point& place) {
     const std::vector<BodyRegion>& regions = problem.body.regions;
     for (std::size_t r = regions.size(); r-- > 0;) {
-      if (contains(regions[r].shape, place, 0.0)) return of_region[r];
+      if (contains(regions[r].shape, place, slack)) return of_region[r];
     }
     return background;
   };

@@ -136,6 +136,17 @@ TEST(Interfaces, a_disc_has_one_closed_line_around_it) {
   EXPECT_EQ(static_cast<std::size_t>(std::count(found.crossed.begin(), found.crossed.end(), true)), found.lines.size());
 }
 
+TEST(Interfaces, the_end_of_a_shape_with_the_body_is_none) {
+  const TouchingBody touching(unit_grid(2, 20),
+                              [](const Point& x) { return x[0] >= 0.5 && x[0] <= 1.0 && x[1] >= 0.0 && x[1] <= 1.0; });
+  const Section section = make_section(touching.snapshot(), {});
+  const SectionSampler sampler(section, Smoothing::bilinear);
+  // A lattice that goes on beyond the body, as that of a picture may.
+  for (const Line& line : find_interfaces(sampler, {{-0.005, -0.005}, {0.01, 0.01}, 102, 102}).lines) {
+    for (const Place& place : line) EXPECT_NEAR(place.x, 0.5, 0.01 / 1024.0);
+  }
+}
+
 TEST(Interfaces, lines_meet_where_three_materials_do) {
   const Grid grid = unit_grid(2, 10);
   SampleBody body(grid, [](const Point&) { return 1.0; });
