@@ -70,25 +70,31 @@ bool parted_by_cracks(const std::vector<Line>& cracks, const Grid& grid, const P
                      [&](const Line& crack) { return separated(crack, a, b, grid.spacing); });
 }
 
-/// Goes up to an interface at which temperatures jump, breaks, and goes on from there.
-void append_jump(const MaterialJumps& jumps, const Point& from, const Point& to, Way& way) {
-  if (!jumps.between(jumps.material_at(from), jumps.material_at(to), from)) return;
-  const auto [before, after] = find_change(jumps, from, to);
-  // A little off the interface nobody doubts on which side a place is.
-  constexpr double off = 1e-6;
-  const auto towards = [](const Point& place, const Point& end) {
-    return Point{std::lerp(place[0], end[0], off), std::lerp(place[1], end[1], off), std::lerp(place[2], end[2], off)};
+/// Goes up to an interface at which temperatures jump, breaks, and goes on from there. Returns whether the next place
+/// is on the interface itself, where nobody can tell which side is meant.
+bool append_jump(const MaterialJumps& jumps, const Point& from, const Point& to, Way& way) {
+  if (!jumps.between(jumps.material_at(from), jumps.material_at(to), from)) return false;
+  constexpr double off = 1e-6;  // Of the step: what counts as on the interface, and keeps clear of it.
+  const Point step{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  const auto moved = [&step](const Point& place, double share) {
+    return Point{place[0] + share * step[0], place[1] + share * step[1], place[2] + share * step[2]};
   };
-  way.emplace_back(towards(before, from));
+  const auto share_between = [&step](const Point& a, const Point& b) {
+    return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) / std::hypot(step[0], step[1], step[2]);
+  };
+  const auto [before, after] = find_change(jumps, from, to);
+  if (share_between(from, before) < off && way.back()) way.pop_back();
+  way.emplace_back(moved(before, -off));
   way.emplace_back(std::nullopt);
-  way.emplace_back(towards(after, to));
+  way.emplace_back(moved(after, off));
+  return share_between(after, to) < off;
 }
 
 Way way_through(const Snapshot& snapshot, const std::vector<Point>& places) {
   const std::vector<Line> cracks = crack_lines(snapshot);
   Way way;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i > 0 && snapshot.jumps) append_jump(snapshot.jumps, places[i - 1], places[i], way);
+    if (i > 0 && snapshot.jumps && append_jump(snapshot.jumps, places[i - 1], places[i], way)) continue;
     if (i > 0 && parted_by_cracks(cracks, snapshot.grid, places[i - 1], places[i])) way.emplace_back(std::nullopt);
     way.emplace_back(places[i]);
   }
