@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "peritherm/output/figure.hpp"
+#include "peritherm/output/interface_lines.hpp"
 #include "peritherm/output/isolines.hpp"
 #include "peritherm/output/legend.hpp"
 
@@ -54,7 +55,7 @@ PixelImage paint(const View& view, const SectionSampler& sampler, const Legend& 
 
 void block_cracks(const std::vector<Line>& cracks, Samples& samples) {
   const auto columns = static_cast<std::size_t>(samples.columns - 1);
-  samples.blocked.assign(columns * static_cast<std::size_t>(samples.rows - 1), false);
+  samples.blocked.resize(columns * static_cast<std::size_t>(samples.rows - 1), false);
   for (const Line& crack : cracks) {
     for (std::size_t k = 0; k + 1 < crack.size(); ++k) {
       const Place a = crack[k];
@@ -70,19 +71,29 @@ void block_cracks(const std::vector<Line>& cracks, Samples& samples) {
   }
 }
 
+/// Places of samples in a view, a step apart; fine enough for smooth lines, coarse enough to be quick.
+double sample_step(const FigureSizes& sizes) { return std::max(1.0, 2.0 * sizes.scale); }
+
+SampleLattice sample_lattice(const View& view, double step) {
+  const Place first = view.to_section(view.plot.left, view.plot.top);
+  const Place next = view.to_section(view.plot.left + step, view.plot.top + step);
+  return {first,
+          {next.x - first.x, next.y - first.y},
+          1 + static_cast<int>(std::ceil(view.plot.width / step)),
+          1 + static_cast<int>(std::ceil(view.plot.height / step))};
+}
+
 void draw_isolines(Canvas& canvas, const View& view, const Section& section, const SectionSampler& sampler,
-                   const Legend& legend, const FigureSizes& sizes) {
-  // Fine enough for smooth lines, coarse enough to be quick.
-  const double step = std::max(1.0, 2.0 * sizes.scale);
+                   const InterfaceLines& interfaces, const Legend& legend, const FigureSizes& sizes) {
+  const double step = sample_step(sizes);
+  const SampleLattice lattice = sample_lattice(view, step);
   Samples samples;
-  samples.columns = 1 + static_cast<int>(std::ceil(view.plot.width / step));
-  samples.rows = 1 + static_cast<int>(std::ceil(view.plot.height / step));
+  samples.columns = lattice.columns;
+  samples.rows = lattice.rows;
   for (int j = 0; j < samples.rows; ++j) {
-    for (int i = 0; i < samples.columns; ++i) {
-      samples.values.push_back(
-          sampler.between_points(view.to_section(view.plot.left + i * step, view.plot.top + j * step)));
-    }
+    for (int i = 0; i < samples.columns; ++i) samples.values.push_back(sampler.between_points(lattice.at(i, j)));
   }
+  samples.blocked = interfaces.crossed;
   std::vector<Line> cracks = to_pixels(view, section.cracks);
   for (Line& crack : cracks) {
     for (Place& place : crack) place = {(place.x - view.plot.left) / step, (place.y - view.plot.top) / step};
@@ -100,8 +111,10 @@ void draw_isolines(Canvas& canvas, const View& view, const Section& section, con
   }
 }
 
-void draw_cracks(Canvas& canvas, const View& view, const Section& section, double scale) {
-  const std::vector<Line> cracks = to_pixels(view, section.cracks);
+void draw_cracks(Canvas& canvas, const View& view, const Section& section, const InterfaceLines& interfaces,
+                 double scale) {
+  std::vector<Line> cracks = to_pixels(view, section.cracks);
+  for (Line& line : to_pixels(view, interfaces.lines)) cracks.push_back(std::move(line));
   const std::vector<Line> outlines = to_pixels(view, section.outlines);
   // The light rim keeps cracks visible on dark colours.
   canvas.lines(outlines, {colour_of(0xffffff, 0.6), 3.6 * scale});
@@ -241,8 +254,9 @@ Canvas draw_field(const Snapshot& snapshot, const Section& section, const Pictur
   const SectionSampler sampler(section, material ? Smoothing::nearest : Smoothing::bilinear);
   canvas.image(paint(view, sampler, legend, sizes.scale), {view.plot.left, view.plot.top});
   canvas.clip(view.plot);
-  if (!legend.levels().empty()) draw_isolines(canvas, view, section, sampler, legend, sizes);
-  draw_cracks(canvas, view, section, sizes.scale);
+  const InterfaceLines interfaces = find_interfaces(sampler, sample_lattice(view, sample_step(sizes)));
+  if (!legend.levels().empty()) draw_isolines(canvas, view, section, sampler, interfaces, legend, sizes);
+  draw_cracks(canvas, view, section, interfaces, sizes.scale);
   canvas.release();
   draw_labels(canvas, layout, sizes);
   legend.draw(canvas, view.plot, layout.below);

@@ -64,9 +64,9 @@ ValueRange find_range(const std::vector<double>& values, const PictureOutput& op
   }
   if (options.field == FieldName::damage) low = 0.0;
   if (!(low <= high)) return {0.0, 1.0};
-  // Differences of rounding size are no differences.
+  // Differences of rounding size, and those of a solver's tolerance, are no differences.
   const double size = std::max(std::abs(low), std::abs(high));
-  if (high - low > 1e-9 * size) return round_outwards({low, high});
+  if (high - low > 1e-6 * size) return round_outwards({low, high});
   if (options.field != FieldName::temperature) return {0.0, size > 0.0 ? size : 1.0};
   const double half = size > 0.0 ? 0.05 * size : 1.0;
   return {low - half, high + half};

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "peritherm/output/linear_fit.hpp"
+
 namespace peritherm {
 namespace {
 
@@ -28,6 +30,38 @@ Cell find_cell(const Grid& grid, const Point& place) {
     cell.extent[axis] = 2;
   }
   return cell;
+}
+
+/// Linear in the values of all points around a cell, up to one more on each side; nothing if there are none.
+template <class Exists>
+std::optional<double> fit_around(const Grid& grid, const Cell& cell, const PointValues& field, const Exists& exists) {
+  LinearFit fit(static_cast<std::size_t>(grid.dimension));
+  GridIndex low{}, high{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int last = grid.count(static_cast<int>(axis)) - 1;
+    low[axis] = std::clamp(cell.first[axis] - 1, 0, last);
+    high[axis] = std::clamp(cell.first[axis] + 2, 0, last);
+  }
+  for (int k = low[2]; k <= high[2]; ++k) {
+    for (int j = low[1]; j <= high[1]; ++j) {
+      for (int i = low[0]; i <= high[0]; ++i) {
+        const std::size_t number = grid.number({i, j, k});
+        if (!exists(number)) continue;
+        fit.add({i - cell.first[0] - cell.fraction[0], j - cell.first[1] - cell.fraction[1],
+                 k - cell.first[2] - cell.fraction[2]},
+                field[number]);
+      }
+    }
+  }
+  if (fit.empty()) return std::nullopt;
+  return fit.value();
+}
+
+double sum_of(const InterpolationWeights& weights, const PointValues& field) {
+  if (weights.count == 0) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (const WeightedPoint& point : weights) sum += point.weight * field[point.number];
+  return sum;
 }
 
 }  // namespace
@@ -80,10 +114,24 @@ InterpolationWeights interpolation_weights(const Grid& grid, const Point& place,
 double interpolate(const Grid& grid, const PointValues& field, const Point& place) {
   const InterpolationWeights weights =
       interpolation_weights(grid, place, [&field](std::size_t number) { return !std::isnan(field[number]); });
-  if (weights.count == 0) return std::numeric_limits<double>::quiet_NaN();
-  double sum = 0.0;
-  for (const WeightedPoint& point : weights) sum += point.weight * field[point.number];
-  return sum;
+  return sum_of(weights, field);
+}
+
+double interpolate(const Grid& grid, const PointValues& field, std::span<const MaterialIndex> materials,
+                   const MaterialJumps& jumps, const Point& place) {
+  MaterialIndex material = jumps.material_at(place);
+  if (material == no_material) material = materials[grid.number(nearest_point(grid, place))];
+  bool alone = true;
+  const auto on_this_side = [&](std::size_t number) {
+    const bool across = jumps.between(material, materials[number], place);
+    alone = alone && !across;
+    return !across && !std::isnan(field[number]);
+  };
+  const InterpolationWeights weights = interpolation_weights(grid, place, on_this_side);
+  if (alone) return sum_of(weights, field);
+  // A shape between the points holds none of them; the body does not know of it.
+  const std::optional<double> fitted = fit_around(grid, find_cell(grid, place), field, on_this_side);
+  return fitted ? *fitted : interpolate(grid, field, place);
 }
 
 }  // namespace peritherm

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <functional>
+#include <span>
 
 #include "peritherm/base/field.hpp"
 #include "peritherm/discretisation/point_values.hpp"
+#include "peritherm/output/material_jumps.hpp"
 
 namespace peritherm {
 
@@ -33,5 +35,10 @@ InterpolationWeights interpolation_weights(const Grid& grid, const Point& place,
 /// between the outermost points and the face. Next to points that were cut away (NaN) it is the value of the nearest
 /// point of the cell that exists; NaN if there is none.
 double interpolate(const Grid& grid, const PointValues& field, const Point& place);
+
+/// The same beside interfaces at which the field jumps: points on the other side take no part, and where the cell has
+/// others, the value is carried on linearly from the points of the place's side around it.
+double interpolate(const Grid& grid, const PointValues& field, std::span<const MaterialIndex> materials,
+                   const MaterialJumps& jumps, const Point& place);
 
 }  // namespace peritherm

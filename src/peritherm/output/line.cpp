@@ -15,27 +15,31 @@
 namespace peritherm {
 namespace {
 
+/// What is drawn: no numbers where it breaks.
+struct Trail {
+  std::vector<double> x, y;
+};
+
 /// The temperature along the line at one time.
 struct Profile1D {
   double time = 0.0;
   std::vector<double> temperature;
-  std::vector<double> exact;        ///< empty if there is none
-  std::vector<double> curve;        ///< the exact ones at evenly spaced places, to be drawn
-  std::vector<std::size_t> breaks;  ///< numbers of places after which the line crosses a crack or a jump
+  std::vector<double> exact;  ///< empty if there is none
+  Trail drawn;                ///< the temperature, or the exact one at evenly spaced places
 };
 
 /// No number where the nearest point was cut away.
 double temperature_between_points(const Snapshot& snapshot, const Point& place) {
   const Grid& grid = snapshot.grid;
   const double there = snapshot.temperature[grid.number(nearest_point(grid, place))];
-  return std::isnan(there) ? there : interpolate(grid, snapshot.temperature, place);
+  return std::isnan(there) ? there : temperature_at(snapshot, place);
 }
 
 std::vector<double> temperatures_at(const Snapshot& snapshot, const std::vector<Point>& places) {
   std::vector<double> values;
   if (snapshot.temperature_at) {
     for (const Point& place : places) values.push_back(snapshot.temperature_at(place));
-  } else if (snapshot.grid.dimension == 2) {
+  } else if (snapshot.grid.dimension == 2 && !(snapshot.jumps && snapshot.cracks.empty())) {
     // Cracks of plates part what is on their sides.
     const Section section = make_section(snapshot, PictureOutput{});
     const SectionSampler sample(section, Smoothing::bilinear);
@@ -46,33 +50,55 @@ std::vector<double> temperatures_at(const Snapshot& snapshot, const std::vector<
   return values;
 }
 
-std::vector<std::size_t> breaks_of(const Snapshot& snapshot, const std::vector<Point>& places) {
-  std::vector<std::size_t> breaks;
-  if (snapshot.grid.dimension == 3) return breaks;
+/// Places in the order of the line, as curves go through them; none where they break.
+using Way = std::vector<std::optional<Point>>;
+
+std::vector<Line> crack_lines(const Snapshot& snapshot) {
   std::vector<Line> lines;
+  if (snapshot.grid.dimension == 3) return lines;
   for (const std::vector<Point>& crack : snapshot.cracks) {
     lines.emplace_back();
     for (const Point& corner : crack) lines.back().push_back({corner[0], corner[1]});
   }
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const Place a{places[i][0], places[i][1]}, b{places[i + 1][0], places[i + 1][1]};
-    const bool parted = snapshot.grid.dimension == 1 ? separated_in_bar(lines, std::min(a.x, b.x), std::max(a.x, b.x))
-                                                     : std::any_of(lines.begin(), lines.end(), [&](const Line& line) {
-                                                         return separated(line, a, b, snapshot.grid.spacing);
-                                                       });
-    if (parted) breaks.push_back(i);
-  }
-  return breaks;
+  return lines;
 }
 
-/// The curve in pieces, with no value between them.
-Curve broken(Curve curve, const std::vector<std::size_t>& breaks) {
-  for (auto at = breaks.rbegin(); at != breaks.rend(); ++at) {
-    const auto after = static_cast<std::ptrdiff_t>(*at) + 1;
-    curve.x.insert(curve.x.begin() + after, curve.x[*at]);
-    curve.y.insert(curve.y.begin() + after, std::numeric_limits<double>::quiet_NaN());
+bool parted_by_cracks(const std::vector<Line>& cracks, const Grid& grid, const Point& from, const Point& to) {
+  const Place a{from[0], from[1]}, b{to[0], to[1]};
+  if (grid.dimension == 1) return separated_in_bar(cracks, std::min(a.x, b.x), std::max(a.x, b.x));
+  return std::any_of(cracks.begin(), cracks.end(),
+                     [&](const Line& crack) { return separated(crack, a, b, grid.spacing); });
+}
+
+/// Goes up to an interface at which temperatures jump, breaks, and goes on from there. Returns whether the next place
+/// is on the interface itself, where nobody can tell which side is meant.
+bool append_jump(const MaterialJumps& jumps, const Point& from, const Point& to, Way& way) {
+  if (!jumps.between(jumps.material_at(from), jumps.material_at(to), from)) return false;
+  constexpr double off = 1e-6;  // Of the step: what counts as on the interface, and keeps clear of it.
+  const Point step{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  const auto moved = [&step](const Point& place, double share) {
+    return Point{place[0] + share * step[0], place[1] + share * step[1], place[2] + share * step[2]};
+  };
+  const auto share_between = [&step](const Point& a, const Point& b) {
+    return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) / std::hypot(step[0], step[1], step[2]);
+  };
+  const auto [before, after] = find_change(jumps, from, to);
+  if (share_between(from, before) < off && way.back()) way.pop_back();
+  way.emplace_back(moved(before, -off));
+  way.emplace_back(std::nullopt);
+  way.emplace_back(moved(after, off));
+  return share_between(after, to) < off;
+}
+
+Way way_through(const Snapshot& snapshot, const std::vector<Point>& places) {
+  const std::vector<Line> cracks = crack_lines(snapshot);
+  Way way;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i > 0 && snapshot.jumps && append_jump(snapshot.jumps, places[i - 1], places[i], way)) continue;
+    if (i > 0 && parted_by_cracks(cracks, snapshot.grid, places[i - 1], places[i])) way.emplace_back(std::nullopt);
+    way.emplace_back(places[i]);
   }
-  return curve;
+  return way;
 }
 
 Unit unit_of(const Grid& grid) { return length_unit(std::max({grid.length(0), grid.length(1), grid.length(2)})); }
@@ -159,6 +185,24 @@ std::vector<double> abscissae(const std::vector<Point>& places, const LineEnds& 
   return values;
 }
 
+using TemperaturesAt = std::function<std::vector<double>(const std::vector<Point>& places)>;
+
+Trail follow(const Way& way, const LineEnds& ends, const Grid& grid, const TemperaturesAt& temperatures) {
+  std::vector<Point> places;
+  for (const auto& place : way) {
+    if (place) places.push_back(*place);
+  }
+  const std::vector<double> x = abscissae(places, ends, grid), y = temperatures(places);
+  Trail trail;
+  std::size_t next = 0;
+  for (const auto& place : way) {
+    trail.x.push_back(place ? x[next] : std::numeric_limits<double>::quiet_NaN());
+    trail.y.push_back(place ? y[next] : std::numeric_limits<double>::quiet_NaN());
+    if (place) ++next;
+  }
+  return trail;
+}
+
 std::string abscissa_label(const LineEnds& ends, const Grid& grid) {
   const int axis = axis_of(ends, grid);
   const std::string in_unit = " [" + std::string(unit_of(grid).symbol) + "]";
@@ -201,11 +245,17 @@ class LineObserver final : public Observer {
 
   void observe(const Snapshot& snapshot) override {
     if (!table_) begin(snapshot);
-    Profile1D profile{snapshot.time, temperatures_at(snapshot, places_), {}, {}, breaks_of(snapshot, places_)};
-    if (exact_) {
-      for (const Point& place : places_) profile.exact.push_back(exact_(place, snapshot.time));
-      for (const Point& place : even_places(ends_, curve_places)) profile.curve.push_back(exact_(place, snapshot.time));
-    }
+    Profile1D profile{snapshot.time, temperatures_at(snapshot, places_), {}, {}};
+    const TemperaturesAt exact = [&](const std::vector<Point>& places) {
+      std::vector<double> values;
+      for (const Point& place : places) values.push_back(exact_(place, snapshot.time));
+      return values;
+    };
+    const TemperaturesAt computed = [&](const auto& places) { return temperatures_at(snapshot, places); };
+    if (exact_) profile.exact = exact(places_);
+    profile.drawn = exact_
+                        ? follow(way_through(snapshot, even_places(ends_, curve_places)), ends_, snapshot.grid, exact)
+                        : follow(way_through(snapshot, places_), ends_, snapshot.grid, computed);
     append(profile, snapshot.grid.dimension);
     keep(std::move(profile));
     save_chart(chart_of(snapshot), options_.width, picture());
@@ -268,20 +318,20 @@ class LineObserver final : public Observer {
   }
 
   void add(Chart& chart, const Profile1D& profile, const Grid& grid, int number) const {
-    Curve computed{time_text(profile.time), abscissae(places_, ends_, grid), profile.temperature, CurveStyle::line,
-                   number};
+    Curve drawn{time_text(profile.time), profile.drawn.x, profile.drawn.y, CurveStyle::line, number};
     if (options_.exact) {
-      const std::vector<Point> places = even_places(ends_, curve_places);
-      chart.curves.push_back({{}, abscissae(places, ends_, grid), profile.curve, CurveStyle::line, number});
+      Curve computed{drawn.name, abscissae(places_, ends_, grid), profile.temperature, CurveStyle::dots, number};
       // At the start the ends have two temperatures.
       if (profile.time > 0.0) {
         const auto largest = largest_difference_of(profile, places_, grid);
         computed.name += largest ? ": difference " + rounded_text(*largest, 2) : ": no values";
       }
-      computed.style = CurveStyle::dots;
-      computed = thinned(computed, most_markers);
+      drawn.name.clear();
+      chart.curves.push_back(std::move(drawn));
+      chart.curves.push_back(thinned(computed, most_markers));
+    } else {
+      chart.curves.push_back(std::move(drawn));
     }
-    chart.curves.push_back(options_.exact ? std::move(computed) : broken(std::move(computed), profile.breaks));
   }
 
   static constexpr int curve_places = 301;

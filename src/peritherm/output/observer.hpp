@@ -12,6 +12,7 @@
 #include "peritherm/base/field.hpp"
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/discretisation/point_values.hpp"
+#include "peritherm/output/material_jumps.hpp"
 #include "peritherm/solutions/exact_solution.hpp"
 
 namespace peritherm {
@@ -44,14 +45,18 @@ struct Snapshot {
   /// Computes the heat flux [W/m²] of the points first, first + 1, …; may be called by several threads at a time.
   std::function<void(std::size_t first, std::span<Point> flux)> heat_flux;
   std::function<std::vector<double>()> damage;  ///< share of cut bonds, 0 to 1; computed when asked for
-  /// Outlines now: polylines, in 3-D closed polygons; also of interfaces where temperatures jump.
+  /// Outlines now: polylines, in 3-D closed polygons.
   std::vector<std::vector<Point>> cracks;
   double stored_heat = 0.0;  ///< Σ C T over the free points [J]
   std::vector<HeatAccount> accounts;
   std::vector<InterfaceValues> interfaces = {};  ///< none in a body of one field
   /// Where temperatures are more than what lies between points of the grid; else empty.
   std::function<double(const Point& place)> temperature_at = {};
+  MaterialJumps jumps = {};  ///< of now, by the numbers in `materials`
 };
+
+/// Between the points of the grid, never mixed across an interface at which temperatures jump.
+double temperature_at(const Snapshot& snapshot, const Point& place);
 
 class Observer {
  public:

@@ -2,7 +2,6 @@
 
 #include "peritherm/base/file.hpp"
 #include "peritherm/output/csv.hpp"
-#include "peritherm/output/interpolation.hpp"
 #include "peritherm/output/observer.hpp"
 
 namespace peritherm {
@@ -25,8 +24,7 @@ class ProbeObserver final : public Observer {
     if (!table_.started()) make_folder(folder_);
     std::vector<double> row{snapshot.time};
     for (const Point& place : places_) {
-      row.push_back(snapshot.temperature_at ? snapshot.temperature_at(place)
-                                            : interpolate(snapshot.grid, snapshot.temperature, place));
+      row.push_back(temperature_at(snapshot, place));
     }
     table_.append(row);
   }

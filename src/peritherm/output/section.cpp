@@ -69,29 +69,76 @@ Layers find_layers(const Grid& grid, int axis, double at) {
   return {lower, std::min(lower + 1, last), place - lower};
 }
 
-/// Values at the points of a slice, x fastest.
-std::vector<double> slice_values(const Snapshot& snapshot, FieldName field, const PlaneAxes& axes,
-                                 const Layers& layers) {
-  const Grid& grid = snapshot.grid;
-  const ValueAt value_at = field_values(snapshot, field);
-  const auto value = [&grid, &snapshot, &value_at](const GridIndex& p) {
-    const std::size_t i = grid.number(p);
-    return std::isnan(snapshot.temperature[i]) ? nothing : value_at(i);
-  };
-  std::vector<double> values;
-  GridIndex p{};
-  for (p[axes[2]] = 0; p[axes[2]] < grid.count(axes[2]); ++p[axes[2]]) {
-    for (p[axes[1]] = 0; p[axes[1]] < grid.count(axes[1]); ++p[axes[1]]) {
-      GridIndex near = p;
-      GridIndex far = p;
-      const bool lower_is_near = layers.share <= 0.5;
-      near[axes[0]] = lower_is_near ? layers.lower : layers.upper;
-      far[axes[0]] = lower_is_near ? layers.upper : layers.lower;
-      const double share = lower_is_near ? layers.share : 1.0 - layers.share;
-      const double a = value(near);
-      const double b = share > 0.0 && field != FieldName::material ? value(far) : a;
-      values.push_back(std::isnan(b) ? a : a + share * (b - a));
+bool is_smooth(FieldName field) { return field == FieldName::temperature || field == FieldName::heat_flux; }
+
+/// A value and the material of the points that it is from.
+struct SliceValue {
+  double value = nothing;
+  MaterialIndex material = no_material;
+};
+
+/// Makes the values of a slice from those of the layers beside it.
+class Slicer {
+ public:
+  Slicer(const Snapshot& snapshot, FieldName field, int axis, const Layers& layers)
+      : snapshot_(snapshot), field_(field), axis_(axis), layers_(layers), value_at_(field_values(snapshot, field)) {}
+
+  SliceValue operator()(GridIndex p) const {
+    const bool lower_is_near = layers_.share <= 0.5;
+    const GridIndex near = moved(p, lower_is_near ? layers_.lower : layers_.upper);
+    const GridIndex far = moved(p, lower_is_near ? layers_.upper : layers_.lower);
+    const double share = lower_is_near ? layers_.share : 1.0 - layers_.share;
+    if (share > 0.0 && snapshot_.jumps && field_ != FieldName::material) {
+      Point place = snapshot_.grid.position(near);
+      place[axis_] += share * (snapshot_.grid.position(far)[axis_] - place[axis_]);
+      if (snapshot_.jumps.between(material(near), material(far), place)) return beside_jump(near, far, share, place);
     }
+    const double a = value(near);
+    const double b = share > 0.0 && field_ != FieldName::material ? value(far) : a;
+    return {std::isnan(b) ? a : a + share * (b - a), material(near)};
+  }
+
+ private:
+  GridIndex moved(GridIndex p, int layer) const {
+    p[axis_] = layer;
+    return p;
+  }
+  MaterialIndex material(const GridIndex& p) const { return snapshot_.materials[snapshot_.grid.number(p)]; }
+  double value(const GridIndex& p) const {
+    const std::size_t i = snapshot_.grid.number(p);
+    return std::isnan(snapshot_.temperature[i]) ? nothing : value_at_(i);
+  }
+
+  /// From the layer on the side of the place, carried on from the one behind it.
+  SliceValue beside_jump(const GridIndex& near, const GridIndex& far, double share, const Point& place) const {
+    const MaterialIndex here = snapshot_.jumps.material_at(place);
+    const bool with_far =
+        snapshot_.jumps.between(here, material(near), place) && !snapshot_.jumps.between(here, material(far), place);
+    const GridIndex& from = with_far ? far : near;
+    const GridIndex behind = moved(from, 2 * from[axis_] - (with_far ? near : far)[axis_]);
+    SliceValue found{value(from), material(from)};
+    if (!is_smooth(field_) || !snapshot_.grid.contains(behind)) return found;
+    if (std::isnan(value(behind)) || snapshot_.jumps.between(material(from), material(behind), place)) return found;
+    found.value += (with_far ? 1.0 - share : share) * (found.value - value(behind));
+    if (field_ == FieldName::heat_flux) found.value = std::max(0.0, found.value);
+    return found;
+  }
+
+  const Snapshot& snapshot_;
+  FieldName field_;
+  int axis_;
+  Layers layers_;
+  ValueAt value_at_;
+};
+
+/// Values at the points of a slice, x fastest.
+std::vector<SliceValue> slice_values(const Snapshot& snapshot, FieldName field, const PlaneAxes& axes,
+                                     const Layers& layers) {
+  const Slicer slicer(snapshot, field, axes[0], layers);
+  std::vector<SliceValue> values;
+  GridIndex p{};
+  for (p[axes[2]] = 0; p[axes[2]] < snapshot.grid.count(axes[2]); ++p[axes[2]]) {
+    for (p[axes[1]] = 0; p[axes[1]] < snapshot.grid.count(axes[1]); ++p[axes[1]]) values.push_back(slicer(p));
   }
   return values;
 }
@@ -115,8 +162,10 @@ double face_value(const Section& section, std::size_t node, std::size_t inner, F
   const double b = section.values[inner];
   const Place here{section.x[node % columns], section.y[node / columns]};
   const Place there{section.x[inner % columns], section.y[inner / columns]};
-  const bool smooth = field == FieldName::temperature || field == FieldName::heat_flux;
-  if (!smooth || std::isnan(b)) return a;
+  if (!is_smooth(field) || std::isnan(b)) return a;
+  if (section.jumps && section.jumps.between(section.materials[node], section.materials[inner], section.lift(here))) {
+    return a;
+  }
   for (const Line& crack : section.cracks) {
     if (separated(crack, here, there, section.spacing)) return a;
   }
@@ -128,6 +177,11 @@ double face_value(const Section& section, std::size_t node, std::size_t inner, F
   return field == FieldName::heat_flux ? std::max(0.0, carried_on) : carried_on;
 }
 
+void fill_face(Section& section, std::size_t face, std::size_t node, std::size_t inner, FieldName field) {
+  section.values[face] = face_value(section, node, inner, field);
+  section.materials[face] = section.materials[node];
+}
+
 void fill_faces(Section& section, FieldName field) {
   const std::size_t columns = section.x.size();
   const std::size_t rows = section.y.size();
@@ -137,26 +191,52 @@ void fill_faces(Section& section, FieldName field) {
   const std::size_t y_step = rows > 3 ? 1 : 0;
   for (std::size_t j = has_y ? 1 : 0; j < (has_y ? rows - 1 : rows); ++j) {
     const std::size_t right = columns - 2;
-    section.values[number(0, j)] = face_value(section, number(1, j), number(1 + x_step, j), field);
-    section.values[number(right + 1, j)] = face_value(section, number(right, j), number(right - x_step, j), field);
+    fill_face(section, number(0, j), number(1, j), number(1 + x_step, j), field);
+    fill_face(section, number(right + 1, j), number(right, j), number(right - x_step, j), field);
   }
   for (std::size_t i = 0; has_y && i < columns; ++i) {
     const std::size_t top = rows - 2;
-    section.values[number(i, 0)] = face_value(section, number(i, 1), number(i, 1 + y_step), field);
-    section.values[number(i, top + 1)] = face_value(section, number(i, top), number(i, top - y_step), field);
+    fill_face(section, number(i, 0), number(i, 1), number(i, 1 + y_step), field);
+    fill_face(section, number(i, top + 1), number(i, top), number(i, top - y_step), field);
   }
 }
 
-void fill_nodes(Section& section, const Grid& grid, const PlaneAxes& axes, const std::vector<double>& values,
+void fill_nodes(Section& section, const Grid& grid, const PlaneAxes& axes, const std::vector<SliceValue>& values,
                 FieldName field) {
   const auto points = static_cast<std::size_t>(grid.count(axes[1]));
   const std::size_t x_shift = section.x.size() > points ? 1 : 0;
   const std::size_t y_shift = section.y.size() > values.size() / points ? 1 : 0;
   section.values.assign(section.x.size() * section.y.size(), nothing);
+  section.materials.assign(section.values.size(), no_material);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    section.values[(i / points + y_shift) * section.x.size() + i % points + x_shift] = values[i];
+    const std::size_t node = (i / points + y_shift) * section.x.size() + i % points + x_shift;
+    section.values[node] = values[i].value;
+    section.materials[node] = values[i].material;
   }
   if (x_shift > 0) fill_faces(section, field);
+}
+
+/// Takes over what the snapshot says of interfaces. `at`: the place of the section across its plane.
+void lift_section(const Snapshot& snapshot, const PlaneAxes& axes, double at, FieldName field, Section& section) {
+  section.jumps = snapshot.jumps;
+  section.lift = [axes, at](const Place& place) {
+    Point lifted{};
+    lifted[axes[0]] = at;
+    lifted[axes[1]] = place.x;
+    lifted[axes[2]] = place.y;
+    return lifted;
+  };
+  if (field == FieldName::heat_flux || field == FieldName::damage) section.lowest = 0.0;
+  if (field == FieldName::damage) section.highest = 1.0;
+}
+
+/// A bar's interfaces are places that separate, as cracks are.
+void add_interfaces_of_bar(Section& section) {
+  for (std::size_t i = 0; i + 1 < section.x.size(); ++i) {
+    const Point from = section.lift({section.x[i], 0.0}), to = section.lift({section.x[i + 1], 0.0});
+    if (!section.jumps.between(section.materials[i], section.materials[i + 1], from)) continue;
+    section.cracks.push_back({{find_change(section.jumps, from, to).second[0], 0.0}});
+  }
 }
 
 }  // namespace
@@ -204,8 +284,9 @@ Section make_section(const Snapshot& snapshot, const PictureOutput& options) {
   section.x = node_places(grid, axes[1]);
   section.y = grid.dimension > 1 ? node_places(grid, axes[2]) : std::vector<double>{0.0};
   Layers layers;
+  double at = 0.0;
   if (grid.dimension == 3) {
-    const double at = options.at.value_or(grid.origin[axes[0]] + 0.5 * grid.length(axes[0]));
+    at = options.at.value_or(grid.origin[axes[0]] + 0.5 * grid.length(axes[0]));
     layers = find_layers(grid, axes[0], at);
     cut_cracks(snapshot.cracks, axes, at, 1e-6 * grid.spacing, section);
     const Unit unit = length_unit(std::max({grid.length(0), grid.length(1), grid.length(2)}));
@@ -218,7 +299,10 @@ Section make_section(const Snapshot& snapshot, const PictureOutput& options) {
       section.cracks.push_back(std::move(line));
     }
   }
+  lift_section(snapshot, axes, at, options.field, section);
   fill_nodes(section, grid, axes, slice_values(snapshot, options.field, axes, layers), options.field);
+  if (grid.dimension == 1 && section.jumps) add_interfaces_of_bar(section);
+  if (grid.dimension == 1 || !section.jumps) section.materials.clear();
   return section;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "peritherm/output/linear_fit.hpp"
 #include "peritherm/output/section.hpp"
 
 namespace peritherm {
@@ -47,6 +48,37 @@ SectionSampler::SectionSampler(const Section& section, Smoothing smoothing) : se
   for (const Line& crack : section.cracks) {
     for (std::size_t i = 0; i + 1 < crack.size(); ++i) add_piece({crack[i], crack[i + 1]});
   }
+  if (!section.materials.empty()) find_mixed_cells();
+}
+
+void SectionSampler::find_mixed_cells() {
+  const std::size_t columns = section_.x.size(), rows = section_.y.size();
+  mixed_.assign(columns * rows, false);
+  for (std::size_t j = 0; j < rows; ++j) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      const MaterialIndex material = section_.materials[j * columns + i];
+      for (std::size_t b = j - std::min<std::size_t>(j, 1); b < std::min(j + 3, rows); ++b) {
+        for (std::size_t a = i - std::min<std::size_t>(i, 1); a < std::min(i + 3, columns); ++a) {
+          if (section_.materials[b * columns + a] != material) mixed_[j * columns + i] = true;
+        }
+      }
+    }
+  }
+}
+
+MaterialIndex SectionSampler::material_at(const Place& place) const {
+  const auto& x = section_.x;
+  const auto& y = section_.y;
+  const std::size_t cell = interval(y, place.y) * x.size() + interval(x, place.x);
+  if (!mixed_[cell]) return section_.materials[cell];
+  // Shapes may end with the body, which is no interface.
+  const double inside = 1e-6 * section_.spacing;
+  return section_.jumps.material_at(section_.lift({std::clamp(place.x, x.front() + inside, x.back() - inside),
+                                                   std::clamp(place.y, y.front() + inside, y.back() - inside)}));
+}
+
+bool SectionSampler::jumps(MaterialIndex one, MaterialIndex other, const Place& place) const {
+  return one != other && section_.jumps.between(one, other, section_.lift(place));
 }
 
 void SectionSampler::add_piece(const Piece& piece) {
@@ -75,6 +107,48 @@ bool SectionSampler::visible(std::size_t cell, const Place& node, const Place& p
   });
 }
 
+bool SectionSampler::visible_around(std::size_t i, std::size_t j, const Place& node, const Place& place) const {
+  if (pieces_.empty()) return true;
+  for (std::size_t b = j - std::min<std::size_t>(j, 1); b <= j + 1; ++b) {
+    for (std::size_t a = i - std::min<std::size_t>(i, 1); a <= i + 1; ++a) {
+      if (!visible(b * section_.x.size() + a, node, place)) return false;
+    }
+  }
+  return true;
+}
+
+std::optional<double> SectionSampler::on_one_side(const Place& place, std::size_t i, std::size_t j) const {
+  const auto& x = section_.x;
+  const auto& y = section_.y;
+  const double s = std::clamp((place.x - x[i]) / (x[i + 1] - x[i]), 0.0, 1.0);
+  const double t = std::clamp((place.y - y[j]) / (y[j + 1] - y[j]), 0.0, 1.0);
+  const std::size_t nearest = (t < 0.5 ? j : j + 1) * x.size() + (s < 0.5 ? i : i + 1);
+  if (std::isnan(section_.values[nearest])) return std::nullopt;
+  MaterialIndex material = section_.jumps.material_at(section_.lift(place));
+  if (material == no_material) material = section_.materials[nearest];
+  bool complete = true;
+  double sum = 0.0;
+  LinearFit fit(2);
+  for (std::size_t b = j - std::min<std::size_t>(j, 1); b < std::min(j + 3, y.size()); ++b) {
+    for (std::size_t a = i - std::min<std::size_t>(i, 1); a < std::min(i + 3, x.size()); ++a) {
+      const double value = section_.value(a, b);
+      const bool corner = (a == i || a == i + 1) && (b == j || b == j + 1);
+      const double weight = corner ? (a == i ? 1.0 - s : s) * (b == j ? 1.0 - t : t) : 0.0;
+      const bool takes_part = !std::isnan(value) && !jumps(material, section_.materials[b * x.size() + a], place) &&
+                              visible_around(i, j, {x[a], y[b]}, place);
+      if (takes_part) {
+        sum += weight * value;
+        fit.add({(x[a] - place.x) / section_.spacing, (y[b] - place.y) / section_.spacing, 0.0}, value);
+      } else if (weight > 0.0) {
+        complete = false;
+      }
+    }
+  }
+  if (complete) return sum;
+  if (fit.empty()) return std::nullopt;
+  return std::clamp(fit.value(), section_.lowest, section_.highest);
+}
+
 double SectionSampler::between_points(const Place& place) const {
   const std::size_t i = interval(section_.x, place.x);
   const std::size_t j = interval(section_.y, place.y);
@@ -91,6 +165,9 @@ double SectionSampler::operator()(const Place& place) const {
   const auto& y = section_.y;
   const std::size_t i = interval(x, place.x);
   const std::size_t j = interval(y, place.y);
+  if (smoothing_ == Smoothing::bilinear && has_jumps() && mixed_[j * x.size() + i]) {
+    if (const auto value = on_one_side(place, i, j)) return *value;
+  }
   const std::size_t x_nodes = std::min<std::size_t>(x.size(), 2);
   const std::size_t y_nodes = std::min<std::size_t>(y.size(), 2);
   const double s = x_nodes == 2 ? std::clamp((place.x - x[i]) / (x[i + 1] - x[i]), 0.0, 1.0) : 0.0;

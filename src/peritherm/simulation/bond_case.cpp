@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 
 #include "peritherm/discretisation/damage.hpp"
@@ -61,6 +62,7 @@ class BondCase final : public RunningCase {
         .cracks = outlines(time),
         .stored_heat = system.stored_heat(state_),
         .accounts = accounts(time),
+        .jumps = jumps(),
     };
   }
 
@@ -89,6 +91,18 @@ class BondCase final : public RunningCase {
       for (auto& line : crack.outline(time)) lines.push_back(std::move(line));
     }
     return lines;
+  }
+
+  MaterialJumps jumps() const {
+    const Body& body = assembly_.geometry.body;
+    if (body.contacts.empty()) return {};
+    return {[&body](const Point& place) { return body.material_at(place); },
+            [&body](MaterialIndex one, MaterialIndex other, const Point&) {
+              return std::any_of(body.contacts.begin(), body.contacts.end(), [=](const MaterialContact& contact) {
+                return (contact.first == one && contact.second == other) ||
+                       (contact.first == other && contact.second == one);
+              });
+            }};
   }
 
   const CutBonds& cuts() {

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "peritherm/base/text.hpp"
+#include "peritherm/output/csv.hpp"
 #include "peritherm/simulation/checker.hpp"
 #include "peritherm/simulation/material_table.hpp"
 
@@ -91,13 +92,26 @@ void check_bond_law(Checker& checker, const std::string& key, const ContactLaw& 
               "Choose \"length_weighted_harmonic\", which contacts with a resistance need");
 }
 
+/// Names stand in tables, and in file names in small letters.
 void check_same_names(Checker& checker) {
-  std::map<std::string, std::size_t> known;
-  for (std::size_t c = 0; c < checker.problem.contacts.size(); ++c) {
-    const ContactOptions& contact = checker.problem.contacts[c];
-    if (contact.between.size() != 2 || known.emplace(name_of(contact), c).second) continue;
-    checker.add(entry("contact", c) + (contact.name ? ".name" : ""),
-                "is called '" + name_of(contact) + "' like another", "Give it a name of its own");
+  const Problem& problem = checker.problem;
+  const bool in_files = std::any_of(problem.outputs.begin(), problem.outputs.end(), [](const OutputOptions& output) {
+    return std::holds_alternative<ContactOutput>(output.kind);
+  });
+  std::map<std::string, std::string> known;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactOptions& contact = problem.contacts[c];
+    if (contact.between.size() != 2) continue;
+    const std::string name = name_of(contact), key = entry("contact", c) + (contact.name ? ".name" : "");
+    const auto [other, fresh] = known.emplace(in_files ? plain_name(name, "interface") : name, name);
+    if (fresh) continue;
+    if (other->second == name) {
+      checker.add(key, "is called '" + name + "' like another", "Give it a name of its own");
+    } else {
+      checker.add(key,
+                  "'" + name + "' and '" + other->second + "' have the same file, contact_" + other->first + ".csv",
+                  "Give one of them a name that differs in more than signs and the size of letters");
+    }
   }
 }
 

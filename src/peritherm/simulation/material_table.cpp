@@ -5,6 +5,7 @@
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/discretisation/touching.hpp"
+#include "peritherm/simulation/check.hpp"
 
 namespace peritherm {
 namespace {
@@ -73,6 +74,18 @@ MaterialTable make_material_table(const Problem& problem) {
     table.of_region.push_back(index_of(table.names, own ? *region.name : region.material));
   }
   return table;
+}
+
+std::function<MaterialIndex(const Point& place)> material_finder(const Problem& problem, const MaterialTable& table) {
+  // As for the points of a body: ends of the box belong to shapes that end there, whatever rounding did to them.
+  const double slack = 1e-9 * make_grid(problem).spacing;
+  return [&problem, slack, of_region = table.of_region, background = table.background](const Point& place) {
+    const std::vector<BodyRegion>& regions = problem.body.regions;
+    for (std::size_t r = regions.size(); r-- > 0;) {
+      if (contains(regions[r].shape, place, slack)) return of_region[r];
+    }
+    return background;
+  };
 }
 
 int contact_between(const Problem& problem, const MaterialTable& table, MaterialIndex first, MaterialIndex second) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct MaterialTable {
 
 /// Names of materials that do not exist stand for no_material.
 MaterialTable make_material_table(const Problem& problem);
+
+/// Which entry the shapes of the regions say is at a place, the last one first. `problem` must outlive it.
+std::function<MaterialIndex(const Point& place)> material_finder(const Problem& problem, const MaterialTable& table);
 
 /// Number of the contact between two entries of the table; −1: none was given.
 int contact_between(const Problem& problem, const MaterialTable& table, MaterialIndex first, MaterialIndex second);

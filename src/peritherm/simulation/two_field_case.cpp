@@ -6,6 +6,7 @@
 
 #include "peritherm/base/error.hpp"
 #include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/contact_jumps.hpp"
 #include "peritherm/simulation/running_case.hpp"
 #include "peritherm/simulation/schedule.hpp"
 #include "peritherm/simulation/two_field_assembly.hpp"
@@ -16,23 +17,13 @@
 namespace peritherm {
 namespace {
 
-/// By the shapes of the regions, the last one first.
-TwoFieldDisplay::MaterialAt material_finder(const Problem& problem) {
-  return [regions = problem.body.regions, table = make_material_table(problem)](const Point& place) {
-    for (std::size_t r = regions.size(); r-- > 0;) {
-      if (contains(regions[r].shape, place, 0.0)) return table.of_region[r];
-    }
-    return table.background;
-  };
-}
-
 /// Temperatures and fluxes of parts that touch.
 class TwoFieldCase final : public RunningCase {
  public:
   explicit TwoFieldCase(const Problem& given)
       : problem_(prepare_two_field(given)),
         assembly_(assemble_two_field(problem_)),
-        display_(make_grid(problem_), assembly_.body, material_finder(problem_)),
+        display_(make_grid(problem_), assembly_.body, material_finder(problem_, make_material_table(problem_))),
         integrator_(make_two_field_integrator(problem_.time.integrator, *assembly_.system)),
         state_(initial_state(problem_, assembly_)) {
     if (!find_start_fault(*assembly_.system, 0.0, state_.temperature)) make_consistent(*assembly_.system, 0.0, state_);
@@ -96,7 +87,6 @@ class TwoFieldCase final : public RunningCase {
   const std::vector<double>& gradient(int axis);
   void fill_raster();
   std::vector<InterfaceValues> interfaces() const;
-  std::vector<std::vector<Point>> jumps(double time) const;
   std::vector<HeatAccount> accounts(double time);
 
   Problem problem_;
@@ -195,41 +185,6 @@ std::vector<InterfaceValues> TwoFieldCase::interfaces() const {
   return all;
 }
 
-/// A piece of surface as a line, in 3-D as a square.
-std::vector<Point> outline_of(const SurfacePoint& piece, int dimension) {
-  if (dimension == 1) return {piece.position};
-  const Point& n = piece.normal;
-  const double half = 0.5 * (dimension == 2 ? piece.area : std::sqrt(piece.area));
-  Point u{-n[1], n[0], 0.0};
-  if (dimension == 3) {
-    u = std::abs(n[2]) < 0.9 ? Point{-n[1], n[0], 0.0} : Point{1.0, 0.0, -n[0] / n[2]};
-    const double length = std::hypot(u[0], u[1], u[2]);
-    for (double& component : u) component /= length;
-  }
-  const auto at = [&](double a, double b, const Point& v) {
-    Point place = piece.position;
-    for (std::size_t axis = 0; axis < 3; ++axis) place[axis] += half * (a * u[axis] + b * v[axis]);
-    return place;
-  };
-  if (dimension == 2) return {at(-1.0, 0.0, u), at(1.0, 0.0, u)};
-  const Point v{n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]};
-  return {at(-1.0, -1.0, v), at(1.0, -1.0, v), at(1.0, 1.0, v), at(-1.0, 1.0, v), at(-1.0, -1.0, v)};
-}
-
-std::vector<std::vector<Point>> TwoFieldCase::jumps(double time) const {
-  const TwoFieldSystem& system = *assembly_.system;
-  std::vector<double> resistance(system.multipliers(), 0.0);
-  if (system.loads().resistance) system.loads().resistance(time, resistance);
-  std::vector<std::vector<Point>> lines;
-  std::size_t row = 0;
-  for (const SurfacePoint& piece : assembly_.body.surface) {
-    if (piece.second < 0) continue;
-    while (system.rows()[row].second < 0) ++row;
-    if (resistance[row++] > 0.0) lines.push_back(outline_of(piece, assembly_.body.dimension));
-  }
-  return lines;
-}
-
 std::vector<HeatAccount> TwoFieldCase::accounts(double time) {
   const std::vector<double> rates = account_rates(time);
   std::vector<HeatAccount> result;
@@ -262,11 +217,12 @@ Snapshot TwoFieldCase::snapshot(double time) {
             }
           },
       .damage = [this] { return std::vector<double>(display_.grid().size(), 0.0); },
-      .cracks = jumps(time),
+      .cracks = {},
       .stored_heat = stored_heat(),
       .accounts = accounts(time),
       .interfaces = interfaces(),
       .temperature_at = [this](const Point& place) { return temperature_at(place); },
+      .jumps = contact_jumps(problem_, assembly_.table, time),
   };
 }
 

@@ -8,6 +8,8 @@ namespace peritherm {
 namespace {
 
 constexpr double most_cells_shown = 4e6;
+/// As far as volumes are shared out to points.
+constexpr double cells_to_points_of_tips = 4.0;
 
 /// Half the edge of a cell, or its reach where points stand on no lattice [spacings].
 double reach_of(const SubDomain& part) { return part.places.empty() ? 0.75 : 0.5 + 1e-6; }
@@ -148,24 +150,35 @@ bool TwoFieldDisplay::interpolate(std::size_t part, const Point& place, PlaceVal
   return true;
 }
 
-PlaceValue TwoFieldDisplay::find(const Point& place) const {
-  PlaceValue value;
+std::optional<TwoFieldDisplay::NearestPoint> TwoFieldDisplay::nearest_point(const Point& place, double beyond,
+                                                                            MaterialIndex material) const {
+  std::optional<NearestPoint> found;
   double nearest = std::numeric_limits<double>::infinity();
-  std::size_t number = 0;
-  const MaterialIndex material = material_at_(place);
   for (std::size_t p = 0; p < body_.parts.size(); ++p) {
-    if (body_.parts[p].places.empty() && body_.parts[p].material != material) continue;
-    for (std::size_t i = 0; i < body_.parts[p].size(); ++i) {
-      const double distance = distance_in(body_.parts[p], body_.parts[p].positions[i], place);
-      if (distance >= nearest || distance > reach_of(body_.parts[p]) + 0.25) continue;
+    const SubDomain& part = body_.parts[p];
+    if (material != no_material && part.material != material) continue;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const double distance = distance_in(part, part.positions[i], place);
+      if (distance >= nearest || distance > reach_of(part) + beyond) continue;
       nearest = distance;
-      number = first_[p] + i;
-      value.part = static_cast<int>(p);
+      found = {p, first_[p] + i};
     }
   }
-  if (value.part < 0 || interpolate(static_cast<std::size_t>(value.part), place, value)) return value;
-  value.points = {{number, 1.0}};
-  for (std::size_t axis = 0; axis < 3; ++axis) value.offset[axis] = place[axis] - positions_[number][axis];
+  return found;
+}
+
+PlaceValue TwoFieldDisplay::find(const Point& place) const {
+  const MaterialIndex material = material_at_(place);
+  std::optional<NearestPoint> nearest;
+  // Shapes say which side of a surface a place is on; the point of a tip or sliver may stand some cells away.
+  if (material != no_material) nearest = nearest_point(place, cells_to_points_of_tips, material);
+  if (!nearest) nearest = nearest_point(place, 0.25, no_material);
+  PlaceValue value;
+  if (!nearest) return value;
+  value.part = static_cast<int>(nearest->part);
+  if (interpolate(nearest->part, place, value)) return value;
+  value.points = {{nearest->number, 1.0}};
+  for (std::size_t axis = 0; axis < 3; ++axis) value.offset[axis] = place[axis] - positions_[nearest->number][axis];
   return value;
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "peritherm/discretisation/sub_domains.hpp"
@@ -30,7 +31,7 @@ class TwoFieldDisplay {
   /// The point whose cell a raster cell lies in, −1 for none; and how far its centre is from it.
   std::int64_t point_of(std::size_t cell) const { return point_of_[cell]; }
   Point offset(std::size_t cell) const;
-  /// Multilinear between points of one part on a grid, else from the nearest point of the part around the place.
+  /// In the part that the shapes say is there: multilinear between its points on a grid, else from its nearest point.
   const PlaceValue& value_at(const Point& place) const;
 
  private:
@@ -43,6 +44,12 @@ class TwoFieldDisplay {
   void paint_point(const SubDomain& part, std::size_t number, const Point& position, std::vector<float>& distances);
   Lattice make_lattice(const SubDomain& part, std::size_t first) const;
   bool interpolate(std::size_t part, const Point& place, PlaceValue& value) const;
+  struct NearestPoint {
+    std::size_t part = 0;
+    std::size_t number = 0;  ///< among the points of all parts
+  };
+  /// Among the parts of a material, or of all for no_material, up to `beyond` spacings outside their cells.
+  std::optional<NearestPoint> nearest_point(const Point& place, double beyond, MaterialIndex material) const;
   PlaceValue find(const Point& place) const;
 
   const DividedBody& body_;

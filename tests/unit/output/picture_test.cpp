@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "peritherm/output/figure.hpp"
 #include "unit/output/output_fixture.hpp"
 #include "unit/output/read_picture.hpp"
 
@@ -89,6 +90,19 @@ TEST_F(Picture, isolines_add_dark_lines_only_when_asked_for) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < with.pixels.size(); ++i) different += with.pixels[i] != without.pixels[i] ? 1U : 0U;
   EXPECT_GT(different, 15U * 300U);
+}
+
+TEST_F(Picture, values_that_differ_by_less_than_a_millionth_are_one_value) {
+  PictureOutput flux;
+  flux.field = FieldName::heat_flux;
+  const ValueRange uniform = find_range({0.64516128, 0.6451613, not_a_number}, flux);
+  EXPECT_EQ(uniform.low, 0.0);
+  EXPECT_EQ(uniform.high, 0.6451613);
+  const ValueRange warm = find_range({300.0, 300.0002}, {});
+  EXPECT_LT(warm.high - warm.low, 0.1 * 300.1) << "as for one temperature";
+  EXPECT_GT(warm.high - warm.low, 0.09 * 300.0);
+  const ValueRange apart = find_range({300.0, 300.001}, {});
+  EXPECT_LT(apart.high - apart.low, 0.0011);
 }
 
 TEST_F(Picture, every_field_of_every_dimension_can_be_drawn_even_if_it_is_constant) {

@@ -209,12 +209,83 @@ TEST(TwoFieldCase, says_everything_that_is_wrong_at_once) {
   EXPECT_TRUE(any_has(faults, "numerics.backend: is for nonlocality.model = \"bond\" only"));
 }
 
+TEST(TwoFieldCase, contacts_whose_files_would_have_one_name_are_refused) {
+  Problem problem = two_touching_layers(1, 80);
+  problem.body.regions.push_back({"body", Box{{0.75}, {1.0}}, "last"});
+  problem.contacts.push_back({{"body", "other"}, ContactResistance{Profile(1.0)}, "X"});
+  problem.contacts.push_back({{"other", "last"}, ContactResistance{Profile(1.0)}, "x"});
+  problem.contacts[0].between[0] = "first";
+  problem.body.regions.insert(problem.body.regions.begin(), {"body", Box{{0.0}, {0.5}}, "first"});
+  EXPECT_EQ(faults_of(problem), std::vector<std::string>{}) << "no files are asked for";
+  problem.outputs.push_back({std::nullopt, std::vector<double>{0.1}, ContactOutput{}});
+  EXPECT_TRUE(any_has(faults_of(problem), "contact.1.name: 'x' and 'X' have the same file, contact_x.csv"));
+}
+
 TEST(TwoFieldCase, a_conductivity_tensor_must_let_heat_flow_from_hot_to_cold) {
   Problem problem = two_touching_layers(2, 14);
   problem.materials["body"].conductivity_tensor = {1.0, 1.0, 2.0};
   EXPECT_TRUE(any_has(faults_of(problem), "is not positive definite"));
   problem.materials["body"].conductivity_tensor = {1.0, 1.0};
   EXPECT_TRUE(any_has(faults_of(problem), "Give [xx, yy, xy]"));
+}
+
+TEST(ContactJumps, probes_of_both_models_tell_the_temperatures_on_both_sides) {
+  for (const Model model : {Model::bond, Model::two_field}) {
+    Problem problem = two_touching_layers(1, 40);
+    problem.nonlocality.model = model;
+    problem.initial.temperature = Profile("x < 0.5 ? 1 - x : 5 + x");
+    if (model == Model::bond) problem.time.integrator = AutomaticStepping{};
+    problem.contacts.push_back({{"body", "other"}, ContactResistance{Profile(1e12)}});
+    check(problem);
+    const auto running = make_running_case(problem);
+    const Snapshot snapshot = running->snapshot(0.0);
+    // Linear on both sides, which a line through two points keeps to rounding.
+    EXPECT_NEAR(temperature_at(snapshot, {0.4999, 0.0, 0.0}), 0.5001, 1e-12);
+    EXPECT_NEAR(temperature_at(snapshot, {0.5001, 0.0, 0.0}), 5.5001, 1e-12);
+    EXPECT_TRUE(snapshot.jumps.between(0, 1, {0.5, 0.0, 0.0}));
+  }
+}
+
+TEST(ContactJumps, follow_resistances_of_place_and_time) {
+  Problem problem = two_touching_layers(2, 16);
+  const auto jump_at = [&](double y, double time) {
+    const auto running = make_running_case(problem);
+    const MaterialJumps jumps = running->snapshot(time).jumps;
+    return jumps && jumps.between(1, 0, {0.5, y, 0.0});
+  };
+  EXPECT_FALSE(jump_at(0.2, 0.0)) << "perfect where nothing is said";
+  problem.contacts.push_back({{"body", "other"}, ContactResistance{Profile("y < 0.5 ? 0 : t")}});
+  EXPECT_FALSE(jump_at(0.2, 1.0));
+  EXPECT_FALSE(jump_at(0.7, 0.0));
+  EXPECT_TRUE(jump_at(0.7, 1.0));
+  problem.contacts[0].law = ContactResistance{Profile(0.0)};
+  EXPECT_FALSE(jump_at(0.2, 1.0));
+  problem.contacts[0].law = ContactConductance{Profile(2.0)};
+  EXPECT_TRUE(jump_at(0.2, 1.0));
+}
+
+TEST(TwoFieldDisplay, shapes_decide_which_part_a_place_beside_an_oblique_interface_is_in) {
+  Problem problem = unit_body(2, 16, 2.0);
+  problem.nonlocality.model = Model::two_field;
+  problem.nonlocality.kernel = {ConstantKernel{}, 1};
+  problem.materials["other"] = {0.25, 2.0, 1.0};
+  const HalfSpace shape{{1.0, 0.7}, 0.7};
+  problem.body.regions.push_back({"other", shape});
+  problem.contacts.push_back({{"body", "other"}, ContactResistance{Profile(1.0)}});
+  problem.initial.temperature = Profile("x + 0.7*y <= 0.7*sqrt(1.49) ? 100 + x : y");
+  check(problem);
+  const auto running = make_running_case(problem);
+  const Snapshot snapshot = running->snapshot(0.0);
+  for (int i = 1; i < 40; ++i) {
+    const double x = 0.35 + 0.012 * i, y = (0.7 * std::sqrt(1.49) - x) / 0.7;
+    if (y < 0.0 || y > 1.0) continue;
+    for (const double height : {-0.03, -1e-3, 1e-3, 0.03}) {
+      const Point place{x + height, y, 0.0};
+      if (place[0] > 1.0) continue;
+      // Linear on both sides: kept to rounding, also where a place is nearer to points of the other part.
+      EXPECT_NEAR(snapshot.temperature_at(place), height < 0.0 ? 100.0 + place[0] : place[1], 1e-11);
+    }
+  }
 }
 
 TEST(TwoFieldDisplay, refines_its_raster_and_never_mixes_parts) {
