@@ -1,12 +1,14 @@
 #include "peritherm/simulation/two_field_assembly.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 
+#include "peritherm/geometry/vector.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/two_field_loads.hpp"
-#include "peritherm/two_field/row_solver.hpp"
 
 namespace peritherm {
 namespace {
@@ -58,8 +60,18 @@ PartOperators make_operators(const DividedBody& body, const Kernel& kernel) {
 }
 
 /// Collects the rows of a body, what they mean, and the fluxes through its surface.
-/// Of a row's square: what held temperatures add to those before.
-constexpr double least_independence_of_held = 1e-2;
+/// a first + b second, each point once.
+Trace mean_of(const Trace& first, double a, const Trace& second, double b) {
+  std::map<PointIndex, double> weights;
+  for (std::size_t k = 0; k < first.points.size(); ++k) weights[first.points[k]] += a * first.weights[k];
+  for (std::size_t k = 0; k < second.points.size(); ++k) weights[second.points[k]] += b * second.weights[k];
+  Trace mean;
+  for (const auto& [point, weight] : weights) {
+    mean.points.push_back(point);
+    mean.weights.push_back(weight);
+  }
+  return mean;
+}
 
 class RowCollector {
  public:
@@ -80,8 +92,6 @@ class RowCollector {
         add_boundary(s);
       }
     }
-    // In corners of solids three held faces ask for more than their points can give.
-    if (body_.dimension == 3) leave_out_dependent();
   }
 
   std::vector<ContactRow> rows;
@@ -117,7 +127,7 @@ class RowCollector {
     interfaces[known->second].directions.push_back(along ? 1.0 : -1.0);
     rows.push_back({place.first, trace_of(place.first, parts_.sides[s].first), place.second,
                     trace_of(place.second, parts_.sides[s].second), place.area, place.position});
-    meanings.push_back({contact, -1});
+    meanings.push_back({contact, {}});
   }
 
   void add_boundary(std::size_t s) {
@@ -129,52 +139,34 @@ class RowCollector {
     if (const auto* flux = std::get_if<PrescribedFlux>(&condition)) {
       add_flux(number, place, trace, flux->value);
     } else if (!std::holds_alternative<Insulated>(condition)) {
-      rows.push_back({place.first, trace, -1, {}, place.area, place.position});
-      meanings.push_back({-1, number});
-    }
-  }
-
-  /// Rows of held temperatures that almost follow from others are left out: what these hold is held there, too.
-  void leave_out_dependent() {
-    std::vector<double> inverse;
-    for (const SubDomain& part : body_.parts) {
-      for (const double volume : part.volumes) inverse.push_back(1.0 / volume);
-    }
-    std::vector<std::size_t> ends = first_;
-    ends.push_back(inverse.size());
-    for (bool again = true; again;) {
-      std::vector<std::size_t> held;
-      for (std::size_t row = 0; row < rows.size(); ++row) {
-        if (is_held(meanings[row])) held.push_back(row);
+      const bool may_share = body_.dimension == 3 && std::holds_alternative<HeldTemperature>(condition);
+      if (!may_share || !joins_row(place, trace, number)) {
+        rows.push_back({place.first, trace, -1, {}, place.area, place.position});
+        meanings.push_back({-1, {{number, 1.0, place.position}}});
       }
-      std::vector<char> leaves(rows.size(), 0);
-      const std::vector<std::size_t> found =
-          find_dependent_rows(ContactMatrix(rows, ends).gram(inverse, held), least_independence_of_held);
-      for (const std::size_t n : found) leaves[held[n]] = 1;
-      again = !found.empty();
-      if (again) leave_out(leaves);
     }
   }
 
-  bool is_held(const RowMeaning& meaning) const {
-    return meaning.boundary >= 0 && std::holds_alternative<HeldTemperature>(
-                                        problem_.boundaries[static_cast<std::size_t>(meaning.boundary)].condition);
-  }
+  using Cell = std::array<long, 4>;  ///< part, and the middle in quarters of the spacing
 
-  void leave_out(const std::vector<char>& leaves) {
-    std::vector<std::size_t> number_of(rows.size());
-    std::size_t kept = 0;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-      number_of[row] = kept;
-      if (leaves[row]) continue;
-      if (kept != row) rows[kept] = std::move(rows[row]);
-      meanings[kept++] = meanings[row];
+  /// Held faces of one cell of a solid, at its edges and corners, share a row: each would follow from the others'
+  /// neighbours. What is held is their mean. False: the first face of its cell.
+  bool joins_row(const SurfacePoint& place, const Trace& trace, int boundary) {
+    const double spacing = body_.parts[static_cast<std::size_t>(place.first)].spacing;
+    Cell cell{place.first};
+    for (int a = 0; a < 3; ++a) {
+      cell[a + 1] = std::lround((place.position[a] - 0.5 * spacing * place.normal[a]) / (0.25 * spacing));
     }
-    rows.resize(kept);
-    meanings.resize(kept);
-    for (Interface& interface : interfaces) {
-      for (std::size_t& row : interface.rows) row = number_of[row];
-    }
+    const auto [known, fresh] = held_row_.emplace(cell, rows.size());
+    if (fresh) return false;
+    ContactRow& row = rows[known->second];
+    const double before = row.area / (row.area + place.area), now = 1.0 - before;
+    row.first_trace = mean_of(row.first_trace, before, trace, now);
+    row.area += place.area;
+    row.position = between(row.position, place.position, now);
+    for (RowMeaning::Held& held : meanings[known->second].held) held.share *= before;
+    meanings[known->second].held.push_back({boundary, now, place.position});
+    return true;
   }
 
   void add_flux(int boundary, const SurfacePoint& place, const Trace& trace, const Profile& profile) {
@@ -192,6 +184,7 @@ class RowCollector {
   const PartOperators& parts_;
   std::vector<std::size_t> first_;
   std::map<std::string, std::size_t> number_of_;
+  std::map<Cell, std::size_t> held_row_;
 };
 
 }  // namespace

@@ -36,12 +36,12 @@ void sample_each(CompiledProfile& profile, std::size_t places, const PlaceOf& pl
 
 /// The profiles of a two-field body, compiled once.
 struct CompiledLoads {
-  std::vector<RowProfile> resistances, surroundings;
-  std::vector<double> fixed_resistance;  ///< of rows of convection
-  std::vector<Point> positions;          ///< of all rows
+  std::vector<RowProfile> resistances;
+  std::vector<LoadedEntries> surroundings;  ///< of rows, with their shares
+  std::vector<double> fixed_resistance;     ///< of rows of convection
+  std::vector<Point> positions;             ///< of all rows
   std::vector<LoadedEntries> heating;
-  std::vector<double> areas;    ///< of all rows [m²]
-  std::vector<int> account_of;  ///< of all rows; −1: an interface
+  std::vector<double> areas;  ///< of all rows [m²]
 
   void fill(std::vector<RowProfile>& profiles, double time, Field target) const {
     for (RowProfile& entry : profiles) {
@@ -65,17 +65,17 @@ struct CompiledLoads {
   /// Of what depends on time, a few values each.
   std::vector<double> sample(double time) {
     std::vector<double> values;
-    for (auto* profiles : {&resistances, &surroundings}) {
-      for (RowProfile& entry : *profiles) {
-        if (!entry.profile.depends_on_time()) continue;
-        sample_each(
-            entry.profile, entry.rows.size(), [&](std::size_t n) { return positions[entry.rows[n]]; }, time, values);
-      }
-    }
-    for (LoadedEntries& load : heating) {
-      if (!load.profile.depends_on_time()) continue;
+    for (RowProfile& entry : resistances) {
+      if (!entry.profile.depends_on_time()) continue;
       sample_each(
-          load.profile, load.entries.size(), [&](std::size_t n) { return load.entries[n].position; }, time, values);
+          entry.profile, entry.rows.size(), [&](std::size_t n) { return positions[entry.rows[n]]; }, time, values);
+    }
+    for (auto* loads : {&surroundings, &heating}) {
+      for (LoadedEntries& load : *loads) {
+        if (!load.profile.depends_on_time()) continue;
+        sample_each(
+            load.profile, load.entries.size(), [&](std::size_t n) { return load.entries[n].position; }, time, values);
+      }
     }
     return values;
   }
@@ -89,8 +89,10 @@ struct CompiledLoads {
 
   void fill_rates(double time, ConstField multipliers, Field rates) {
     std::fill(rates.begin(), rates.end(), 0.0);
-    for (std::size_t r = 0; r < multipliers.size(); ++r) {
-      if (account_of[r] >= 0) rates[static_cast<std::size_t>(account_of[r])] -= areas[r] * multipliers[r];
+    for (const LoadedEntries& held : surroundings) {
+      for (const auto& [row, share, position] : held.entries) {
+        rates[static_cast<std::size_t>(held.account)] -= share * areas[row] * multipliers[row];
+      }
     }
     for (LoadedEntries& entries : heating) rates[static_cast<std::size_t>(entries.account)] += entries.sum(time);
   }
@@ -120,14 +122,17 @@ void collect_boundaries(const Problem& problem, std::span<const RowMeaning> mean
     const BoundaryCondition& condition = problem.boundaries[b].condition;
     const auto* held = std::get_if<HeldTemperature>(&condition);
     const auto* convection = std::get_if<Convection>(&condition);
-    std::vector<std::size_t> rows;
+    if (held == nullptr && convection == nullptr) continue;
+    LoadedEntries entries{
+        CompiledProfile(held != nullptr ? held->value : convection->ambient), {}, static_cast<int>(b)};
     for (std::size_t r = 0; r < meanings.size(); ++r) {
-      if (meanings[r].boundary == static_cast<int>(b)) rows.push_back(r);
+      for (const RowMeaning::Held& one : meanings[r].held) {
+        if (one.boundary != static_cast<int>(b)) continue;
+        entries.entries.push_back({r, one.share, one.position});
+        loads.fixed_resistance[r] = held != nullptr ? 0.0 : 1.0 / convection->coefficient;
+      }
     }
-    if (rows.empty() || (held == nullptr && convection == nullptr)) continue;
-    for (const std::size_t r : rows) loads.fixed_resistance[r] = held != nullptr ? 0.0 : 1.0 / convection->coefficient;
-    loads.surroundings.push_back(
-        {CompiledProfile(held != nullptr ? held->value : convection->ambient), std::move(rows), false});
+    if (!entries.entries.empty()) loads.surroundings.push_back(std::move(entries));
   }
 }
 
@@ -180,7 +185,6 @@ TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& bo
     compiled->positions.push_back(row.position);
     compiled->areas.push_back(row.area);
   }
-  for (const RowMeaning& meaning : meanings) compiled->account_of.push_back(meaning.boundary);
   compiled->fixed_resistance.assign(rows.size(), 0.0);
   collect_contacts(problem, meanings, *compiled);
   collect_boundaries(problem, meanings, *compiled);
@@ -194,7 +198,7 @@ TwoFieldLoads make_two_field_loads(const Problem& problem, const DividedBody& bo
   if (!compiled->surroundings.empty()) {
     loads.surroundings = [compiled](double time, Field temperature) {
       std::fill(temperature.begin(), temperature.end(), 0.0);
-      compiled->fill(compiled->surroundings, time, temperature);
+      for (LoadedEntries& held : compiled->surroundings) held.add(time, temperature);
     };
   }
   if (!compiled->heating.empty()) {

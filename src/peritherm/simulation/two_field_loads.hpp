@@ -30,8 +30,14 @@ struct LoadedEntries {
 
 /// What a row stands for.
 struct RowMeaning {
-  int contact = -1;   ///< number of the [[contact]]; −1: perfect, or a boundary
-  int boundary = -1;  ///< number of the [[boundary]]; −1: an interface
+  /// Where a boundary gives a share of the surroundings.
+  struct Held {
+    int boundary;
+    double share;
+    Point position;  ///< [m]
+  };
+  int contact = -1;          ///< number of the [[contact]]; −1: perfect, or a boundary
+  std::vector<Held> held{};  ///< shares of 1 in all; several where faces of a solid meet; none: an interface
 };
 
 /// What heats the points and fills the rows, by time.

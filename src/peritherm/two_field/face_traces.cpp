@@ -36,15 +36,37 @@ std::vector<double> layer_weights(const Families& families, double spacing) {
   return sums;
 }
 
+int direction_of(int axis, int step) { return 2 * axis + (step > 0 ? 1 : 0); }
+
 }  // namespace
 
-FaceTraces::FaceTraces(int dimension, const SubDomain& part, const Families& families)
-    : dimension_(dimension), part_(part), numbers_(part.places, 0), weights_(layer_weights(families, part.spacing)) {}
+FaceTraces::FaceTraces(int dimension, const SubDomain& part, std::span<const SurfacePoint> surface,
+                       const Families& families)
+    : dimension_(dimension), part_(part), numbers_(part.places, 0), weights_(layer_weights(families, part.spacing)) {
+  for (const SurfacePoint& place : surface) {
+    if (dimension < 3 || place.second < 0) continue;
+    const GridIndex cell = cell_below(place);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(place.normal[axis]) < 0.5) continue;
+      touched_.insert({cell[0], cell[1], cell[2], direction_of(axis, place.normal[axis] > 0.0 ? 1 : -1)});
+    }
+  }
+}
+
+GridIndex FaceTraces::cell_below(const SurfacePoint& place) const {
+  GridIndex cell{};
+  for (int a = 0; a < dimension_; ++a) {
+    const double middle = place.position[a] - 0.5 * part_.spacing * place.normal[a];
+    const double from_first = (middle - part_.positions.front()[a]) / part_.spacing;
+    cell[a] = part_.places.front()[a] + static_cast<int>(std::lround(from_first));
+  }
+  return cell;
+}
 
 std::optional<Trace> FaceTraces::at(const SurfacePoint& place) const {
-  const std::optional<int> normal_axis = axis_of(place);
-  if (!normal_axis) return std::nullopt;
-  const int axis = *normal_axis;
+  int axis = 0;
+  while (axis < dimension_ && std::abs(place.normal[axis]) < 1.0 - place_slack) ++axis;
+  if (axis == dimension_) return std::nullopt;
   const int side = place.normal[axis] > 0.0 ? 1 : -1;
   const double cell_face = std::pow(part_.spacing, dimension_ - 1);
   const double faces = std::pow(place.area / cell_face, 1.0 / (dimension_ - 1));
@@ -61,8 +83,7 @@ std::optional<Trace> FaceTraces::at(const SurfacePoint& place) const {
       if (dimension_ == 3) face[second_axis] += (z - 0.5 * (count - 1)) * part_.spacing;
       const std::optional<Trace> row = row_below(face, axis, side);
       const bool outside = place.second < 0;
-      const auto ends = [&](int along) { return ends_beside(row->points.front(), along); };
-      if (!row || (outside && (ends(first_axis) || (dimension_ == 3 && ends(second_axis))))) return std::nullopt;
+      if (!row || (outside && ends_beside(row->points.front(), axis))) return std::nullopt;
       result.points.insert(result.points.end(), row->points.begin(), row->points.end());
       for (const double weight : row->weights) result.weights.push_back(weight / (count * z_count));
     }
@@ -70,41 +91,17 @@ std::optional<Trace> FaceTraces::at(const SurfacePoint& place) const {
   return result;
 }
 
-std::optional<int> FaceTraces::axis_of(const SurfacePoint& place) const {
-  for (int axis = 0; axis < dimension_; ++axis) {
-    if (std::abs(place.normal[axis]) >= 1.0 - place_slack) return axis;
-  }
-  return std::nullopt;
-}
-
-std::optional<int> FaceTraces::edge_at(const SurfacePoint& place) const {
-  const std::optional<int> axis = axis_of(place);
-  if (dimension_ != 3 || place.second >= 0 || !axis) return std::nullopt;
-  const PointIndex point = point_below(place, *axis);
-  const int first_axis = *axis == 0 ? 1 : 0;
-  const int second_axis = 3 - *axis - first_axis;
-  if (point < 0 || ends_beside(point, first_axis) == ends_beside(point, second_axis)) return std::nullopt;
-  return ends_beside(point, first_axis) ? second_axis : first_axis;
-}
-
-/// The point of the cell that a face of one cell belongs to; −1: none.
-PointIndex FaceTraces::point_below(const SurfacePoint& place, int axis) const {
-  GridIndex cell{};
-  for (int a = 0; a < dimension_; ++a) {
-    const double inwards = a == axis ? 0.5 * part_.spacing * place.normal[a] : 0.0;
-    const double from_first = (place.position[a] - inwards - part_.positions.front()[a]) / part_.spacing;
-    if (std::abs(from_first - std::round(from_first)) > place_slack) return -1;
-    cell[a] = part_.places.front()[a] + static_cast<int>(std::lround(from_first));
-  }
-  return numbers_.at(cell);
-}
-
-/// Where the outside ends both faces' rows would carry on to one and the same temperature, and hold it twice.
-bool FaceTraces::ends_beside(PointIndex first, int along) const {
-  for (const int step : {-1, 1}) {
-    GridIndex beside = part_.places[static_cast<std::size_t>(first)];
-    beside[along] += step;
-    if (numbers_.at(beside) < 0) return true;
+/// At a corner both faces' rows carry on to one and the same temperature, and would hold it twice. In solids rows of
+/// faces of the outside that belong to one cell are one (see the assembly of a case), so that only other parts matter.
+bool FaceTraces::ends_beside(PointIndex first, int axis) const {
+  const GridIndex cell = part_.places[static_cast<std::size_t>(first)];
+  for (int along = 0; along < dimension_; ++along) {
+    for (const int step : {-1, 1}) {
+      GridIndex beside = cell;
+      beside[along] += step;
+      if (along == axis || numbers_.at(beside) >= 0) continue;
+      if (dimension_ < 3 || touched_.count({cell[0], cell[1], cell[2], direction_of(along, step)}) > 0) return true;
+    }
   }
   return false;
 }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <set>
+#include <span>
 
 #include "peritherm/two_field/families.hpp"
 #include "peritherm/two_field/place_numbers.hpp"
@@ -12,26 +15,22 @@ namespace peritherm {
 /// below an endless face: with them G needs a correction at corners and edges only.
 class FaceTraces {
  public:
-  FaceTraces(int dimension, const SubDomain& part, const Families& families);
+  FaceTraces(int dimension, const SubDomain& part, std::span<const SurfacePoint> surface, const Families& families);
 
   /// None where the place is not the middle of one or several faces of cells, its rows of points are too short, or a
-  /// face of the outside ends there.
+  /// face of the outside ends there: in solids at another part, in plates anywhere.
   std::optional<Trace> at(const SurfacePoint& place) const;
 
-  /// The axis along the edge of a solid that an outside face of a cell lies beside: there traces must keep to their own
-  /// slice, else those of both faces follow from one another. None in corners.
-  std::optional<int> edge_at(const SurfacePoint& place) const;
-
  private:
-  std::optional<int> axis_of(const SurfacePoint& place) const;
-  PointIndex point_below(const SurfacePoint& place, int axis) const;
-  bool ends_beside(PointIndex first, int along) const;
+  GridIndex cell_below(const SurfacePoint& place) const;
+  bool ends_beside(PointIndex first, int axis) const;
   std::optional<Trace> row_below(const Point& face, int axis, int side) const;
 
   int dimension_;
   const SubDomain& part_;
   PlaceNumbers numbers_;
-  std::vector<double> weights_;  ///< from the face inwards
+  std::set<std::array<int, 4>> touched_;  ///< of solids: cells beside another part, and the direction
+  std::vector<double> weights_;           ///< from the face inwards
 };
 
 }  // namespace peritherm

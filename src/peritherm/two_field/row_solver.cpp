@@ -45,36 +45,29 @@ Error dependent_rows(const std::vector<std::size_t>& guilty, std::span<const Con
 
 }  // namespace
 
-using RowFactor = Eigen::SimplicialLDLT<RowMatrix, Eigen::Lower, Eigen::AMDOrdering<std::int32_t>>;
-
-std::vector<std::size_t> find_dependent_rows(const SparseMatrix& matrix, double least) {
-  std::vector<std::size_t> found;
-  if (matrix.rows() == 0) return found;
-  const RowMatrix lower = to_row_matrix(matrix);
-  const Eigen::VectorXd roots = lower.diagonal().cwiseSqrt().cwiseInverse();
-  RowMatrix scaled = roots.asDiagonal() * lower * roots.asDiagonal();
-  for (Eigen::Index n = 0; n < scaled.rows(); ++n) scaled.coeffRef(n, n) += diagonal_share;
-  const RowFactor factor(scaled);
-  const Eigen::VectorXd pivots = factor.vectorD();
-  const auto& order = factor.permutationP().indices();
-  for (Eigen::Index n = 0; n < scaled.rows(); ++n) {
-    if (!(pivots[order[n]] > least)) found.push_back(static_cast<std::size_t>(n));
-  }
-  return found;
-}
-
 struct RowSolver::Parts {
-  RowFactor factor;
+  Eigen::SimplicialLDLT<RowMatrix, Eigen::Lower, Eigen::AMDOrdering<std::int32_t>> factor;
 };
 
 RowSolver::RowSolver(const SparseMatrix& matrix, const std::vector<std::size_t>& chosen,
                      std::span<const ContactRow> rows)
     : parts_(std::make_unique<Parts>()) {
   if (matrix.rows() == 0) return;
+  RowMatrix lower = to_row_matrix(matrix);
+  const Eigen::VectorXd diagonal = lower.diagonal();
+  const Eigen::VectorXd roots = diagonal.cwiseSqrt().cwiseInverse();
+  RowMatrix scaled = roots.asDiagonal() * lower * roots.asDiagonal();
+  for (Eigen::Index n = 0; n < scaled.rows(); ++n) scaled.coeffRef(n, n) += diagonal_share;
+  auto& factor = parts_->factor;
+  factor.compute(scaled);
   std::vector<std::size_t> guilty;
-  for (const std::size_t n : find_dependent_rows(matrix, least_independence)) guilty.push_back(chosen[n]);
+  const Eigen::VectorXd pivots = factor.vectorD();
+  const auto& order = factor.permutationP().indices();
+  for (Eigen::Index n = 0; n < scaled.rows(); ++n) {
+    if (!(pivots[order[n]] > least_independence)) guilty.push_back(chosen[static_cast<std::size_t>(n)]);
+  }
   if (!guilty.empty()) throw dependent_rows(guilty, rows);
-  parts_->factor.compute(to_row_matrix(matrix));
+  factor.compute(lower);
 }
 
 RowSolver::~RowSolver() = default;

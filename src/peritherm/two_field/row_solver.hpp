@@ -8,10 +8,6 @@
 
 namespace peritherm {
 
-/// Rows of a matrix Φ W Φᵀ (numbers in it) of whose squares less than the share `least` is independent of the rows
-/// that are eliminated before them.
-std::vector<std::size_t> find_dependent_rows(const SparseMatrix& matrix, double least);
-
 /// Solves with the matrix Φ W Φᵀ + diag of contact rows, by a sparse factorisation that costs about as much as there
 /// are rows.
 class RowSolver {

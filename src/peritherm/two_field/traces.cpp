@@ -64,37 +64,33 @@ bool solve_small(std::array<std::array<double, 4>, 4>& matrix, std::array<double
   return true;
 }
 
-/// One-sided least squares by linear functions, with weights (1 − (r/radius)²)² V. `slice`: an axis along which only
-/// points beside the place count.
+/// One-sided least squares by linear functions, with weights (1 − (r/radius)²)² V.
 std::optional<Trace> least_squares_trace(int dimension, const SubDomain& part, std::span<const PointIndex> near,
-                                         const Point& place, double radius, std::optional<int> slice) {
+                                         const Point& place, double radius) {
   std::array<std::array<double, 4>, 4> moments{};
   std::vector<std::array<double, 4>> bases;
   std::vector<double> weights;
-  const int size = slice ? dimension : dimension + 1;
   for (const PointIndex i : near) {
     std::array<double, 4> basis{1.0, 0.0, 0.0, 0.0};
     double square = 0.0;
-    int next = 1;
     for (int a = 0; a < dimension; ++a) {
-      const double away = (part.positions[i][a] - place[a]) / radius;
-      square += slice == a && std::abs(away) * radius > 0.5 * part.spacing ? 1.0 : away * away;
-      if (slice != a) basis[next++] = away;
+      basis[a + 1] = (part.positions[i][a] - place[a]) / radius;
+      square += basis[a + 1] * basis[a + 1];
     }
     const double weight = square < 1.0 ? (1.0 - square) * (1.0 - square) * part.volumes[i] : 0.0;
-    for (int r = 0; r < size; ++r) {
-      for (int c = 0; c < size; ++c) moments[r][c] += weight * basis[r] * basis[c];
+    for (int r = 0; r <= dimension; ++r) {
+      for (int c = 0; c <= dimension; ++c) moments[r][c] += weight * basis[r] * basis[c];
     }
     bases.push_back(basis);
     weights.push_back(weight);
   }
   std::array<double, 4> factors{1.0, 0.0, 0.0, 0.0};
-  if (near.empty() || !solve_small(moments, factors, size)) return std::nullopt;
+  if (near.empty() || !solve_small(moments, factors, dimension + 1)) return std::nullopt;
   Trace trace;
   for (std::size_t n = 0; n < near.size(); ++n) {
     if (weights[n] == 0.0) continue;
     double sum = 0.0;
-    for (int r = 0; r < size; ++r) sum += factors[r] * bases[n][r];
+    for (int r = 0; r <= dimension; ++r) sum += factors[r] * bases[n][r];
     trace.points.push_back(near[n]);
     trace.weights.push_back(weights[n] * sum);
   }
@@ -128,7 +124,7 @@ Neighbours find_points_near(int dimension, const SubDomain& part, std::span<cons
 std::vector<std::size_t> add_least_squares_traces(int dimension, const SubDomain& part,
                                                   std::span<const SurfacePoint> surface,
                                                   const std::vector<std::size_t>& missing, double radius,
-                                                  const std::optional<FaceTraces>& faces, std::vector<Trace>& traces) {
+                                                  std::vector<Trace>& traces) {
   std::vector<SurfacePoint> places;
   for (const std::size_t p : missing) places.push_back(surface[p]);
   const Neighbours near = find_points_near(dimension, part, places, radius);
@@ -136,8 +132,7 @@ std::vector<std::size_t> add_least_squares_traces(int dimension, const SubDomain
   for (std::size_t n = 0; n < missing.size(); ++n) {
     const auto first = static_cast<std::size_t>(near.row_begin[n]);
     const auto points = std::span(near.points).subspan(first, static_cast<std::size_t>(near.row_begin[n + 1]) - first);
-    const auto slice = faces ? faces->edge_at(places[n]) : std::nullopt;
-    auto trace = least_squares_trace(dimension, part, points, places[n].position, radius, slice);
+    auto trace = least_squares_trace(dimension, part, points, places[n].position, radius);
     if (trace) {
       traces[missing[n]] = std::move(*trace);
     } else {
@@ -159,7 +154,7 @@ std::vector<Trace> make_traces(const SubDomain& part, std::span<const SurfacePoi
   std::vector<Trace> traces(surface.size());
   std::vector<std::size_t> missing;
   std::optional<FaceTraces> faces;
-  if (families.on_lattice()) faces.emplace(gradient.dimension(), part, families);
+  if (families.on_lattice()) faces.emplace(gradient.dimension(), part, surface, families);
   for (std::size_t p = 0; p < surface.size(); ++p) {
     std::optional<Trace> trace = faces ? faces->at(surface[p]) : std::nullopt;
     if (trace) {
@@ -172,8 +167,7 @@ std::vector<Trace> make_traces(const SubDomain& part, std::span<const SurfacePoi
     if (reach > widest_radius) {
       throw no_trace(part, surface[missing.front()].position, "too few points stand near it");
     }
-    missing =
-        add_least_squares_traces(gradient.dimension(), part, surface, missing, reach * part.spacing, faces, traces);
+    missing = add_least_squares_traces(gradient.dimension(), part, surface, missing, reach * part.spacing, traces);
   }
   return traces;
 }
