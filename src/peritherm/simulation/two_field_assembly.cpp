@@ -139,7 +139,7 @@ class RowCollector {
     if (const auto* flux = std::get_if<PrescribedFlux>(&condition)) {
       add_flux(number, place, trace, flux->value);
     } else if (!std::holds_alternative<Insulated>(condition)) {
-      const bool may_share = body_.dimension == 3 && std::holds_alternative<HeldTemperature>(condition);
+      const bool may_share = body_.dimension > 1 && std::holds_alternative<HeldTemperature>(condition);
       if (!may_share || !joins_row(place, trace, number)) {
         rows.push_back({place.first, trace, -1, {}, place.area, place.position});
         meanings.push_back({-1, {{number, 1.0, place.position}}});
@@ -149,8 +149,8 @@ class RowCollector {
 
   using Cell = std::array<long, 4>;  ///< part, and the middle in quarters of the spacing
 
-  /// Held faces of one cell of a solid, at its edges and corners, share a row: each would follow from the others'
-  /// neighbours. What is held is their mean. False: the first face of its cell.
+  /// Held faces of one cell, at edges and corners, share a row: each would follow from the others' neighbours. What is
+  /// held is their mean. False: the first face of its cell.
   bool joins_row(const SurfacePoint& place, const Trace& trace, int boundary) {
     const double spacing = body_.parts[static_cast<std::size_t>(place.first)].spacing;
     Cell cell{place.first};

@@ -37,7 +37,7 @@ struct RowMeaning {
     Point position;  ///< [m]
   };
   int contact = -1;          ///< number of the [[contact]]; −1: perfect, or a boundary
-  std::vector<Held> held{};  ///< shares of 1 in all; several where faces of a solid meet; none: an interface
+  std::vector<Held> held{};  ///< shares of 1 in all; several where held faces meet; none: an interface
 };
 
 /// What heats the points and fills the rows, by time.

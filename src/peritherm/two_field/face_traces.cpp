@@ -44,7 +44,7 @@ FaceTraces::FaceTraces(int dimension, const SubDomain& part, std::span<const Sur
                        const Families& families)
     : dimension_(dimension), part_(part), numbers_(part.places, 0), weights_(layer_weights(families, part.spacing)) {
   for (const SurfacePoint& place : surface) {
-    if (dimension < 3 || place.second < 0) continue;
+    if (place.second < 0) continue;
     const GridIndex cell = cell_below(place);
     for (int axis = 0; axis < 3; ++axis) {
       if (std::abs(place.normal[axis]) < 0.5) continue;
@@ -91,8 +91,8 @@ std::optional<Trace> FaceTraces::at(const SurfacePoint& place) const {
   return result;
 }
 
-/// At a corner both faces' rows carry on to one and the same temperature, and would hold it twice. In solids rows of
-/// faces of the outside that belong to one cell are one (see the assembly of a case), so that only other parts matter.
+/// There both surfaces' rows would carry on to one and the same temperature, and hold it twice. Rows of faces of the
+/// outside that belong to one cell are one (see the assembly of a case), so that only other parts matter.
 bool FaceTraces::ends_beside(PointIndex first, int axis) const {
   const GridIndex cell = part_.places[static_cast<std::size_t>(first)];
   for (int along = 0; along < dimension_; ++along) {
@@ -100,7 +100,7 @@ bool FaceTraces::ends_beside(PointIndex first, int axis) const {
       GridIndex beside = cell;
       beside[along] += step;
       if (along == axis || numbers_.at(beside) >= 0) continue;
-      if (dimension_ < 3 || touched_.count({cell[0], cell[1], cell[2], direction_of(along, step)}) > 0) return true;
+      if (touched_.count({cell[0], cell[1], cell[2], direction_of(along, step)}) > 0) return true;
     }
   }
   return false;

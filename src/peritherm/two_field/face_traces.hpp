@@ -18,7 +18,7 @@ class FaceTraces {
   FaceTraces(int dimension, const SubDomain& part, std::span<const SurfacePoint> surface, const Families& families);
 
   /// None where the place is not the middle of one or several faces of cells, its rows of points are too short, or a
-  /// face of the outside ends there: in solids at another part, in plates anywhere.
+  /// face of the outside ends there at another part.
   std::optional<Trace> at(const SurfacePoint& place) const;
 
  private:
@@ -29,7 +29,7 @@ class FaceTraces {
   int dimension_;
   const SubDomain& part_;
   PlaceNumbers numbers_;
-  std::set<std::array<int, 4>> touched_;  ///< of solids: cells beside another part, and the direction
+  std::set<std::array<int, 4>> touched_;  ///< cells beside another part, and the direction
   std::vector<double> weights_;           ///< from the face inwards
 };
 
