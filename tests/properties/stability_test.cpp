@@ -21,6 +21,7 @@ void remove_heating(Problem& problem) {
 /// A plain body with one face held by an odd mirror.
 void make_plain(Problem& problem) {
   problem.body.regions.clear();
+  problem.contacts.clear();
   problem.cracks.clear();
   problem.boundaries = {{Face::x_max, std::nullopt, HeldTemperature{draw_real(-1.0, 1.0), Imposed::mirror, {}}}};
 }

@@ -180,7 +180,19 @@ class BodyDraw {
       if (draw_chance(40)) continue;
       problem_.contacts.push_back(
           {{pair.first, pair.second}, ContactResistance{unit * std::exp(draw_real(-3.0, 3.0))}});
-      if (!find_faults(problem_).empty()) problem_.contacts.pop_back();
+      if (!find_faults(problem_).empty() || touches_nowhere()) problem_.contacts.pop_back();
+    }
+  }
+
+  /// Does the last contact lie between parts that hold no points side by side?
+  bool touches_nowhere() const {
+    try {
+      make_geometry(resolved(problem_));
+      return false;
+    } catch (const Error& error) {
+      const bool expected = std::string(error.what()).find("touch nowhere") != std::string::npos;
+      if (!expected) throw;
+      return true;
     }
   }
 

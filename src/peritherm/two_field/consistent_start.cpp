@@ -133,7 +133,7 @@ Error inconsistent_start(const TwoFieldSystem& system, const StartFault& fault) 
   return Error(fmt::format("start temperatures do not fit {} at ({:.6g}, {:.6g}, {:.6g}): they are off by {:.4g} K",
                            row.second < 0 ? "what is held" : "the perfect contact", row.position[0], row.position[1],
                            row.position[2], fault.jump),
-               "Let the initial temperature meet the held one there, or leave time.integrator.start at \"auto\", which "
+               "Let the temperatures at the start agree there, or leave time.integrator.start at \"auto\", which "
                "starts with backward Euler");
 }
 
