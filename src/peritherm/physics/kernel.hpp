@@ -67,6 +67,9 @@ struct Kernel {
 /// ω(s) of the chosen shape; s beyond 1 counts as 1.
 double shape(const Kernel& kernel, double s);
 
+/// ∫₀¹ ω(s) s^power ds, to 1e-9 of its size (Gaussian shapes: up to a sharpness of 20).
+double moment_of_shape(const Kernel& kernel, int power);
+
 /// Amplitude for which κ(ξ) [W/(m^(d+2) K)] conducts like Fourier's law as δ → 0:
 ///   (1/2d) ∫ κ(ξ) |ξ|² dV = conductivity           [bobaru2012, eq. 8, for any exponent and dimension]
 double micro_conductivity_amplitude(const Kernel& kernel, double conductivity, double horizon, int dimension);
