@@ -146,8 +146,8 @@ std::vector<RingFit> fit_rings(const std::vector<Sample>& samples, const TipSite
     }
     RingFit ring{*radius, fit.points(), {}};
     for (std::size_t m = 0; m < mode_counts.size(); ++m) {
-      // Adding 0 makes the negative zeros of uniform temperatures plain ones.
       const bool enough = static_cast<double>(fit.points()) >= points_per_mode * static_cast<double>(mode_counts[m]);
+      // Adding 0 makes the negative zeros of uniform temperatures plain ones.
       ring.intensities[m] =
           enough ? factor * fit.coefficient(mode_counts[m]) + 0.0 : std::numeric_limits<double>::quiet_NaN();
     }
