@@ -99,7 +99,7 @@ class TipClearing {
     site.limit = what + ", " + length_text(distance) + " away";
   }
 
-  /// Points of other materials, cut-away ones and those that are held lie outside.
+  /// Points of other materials and cut-away ones lie outside; those that are held at most on the rim.
   void restrict_to_points(TipSite& site, MaterialIndex material) const {
     const Grid& grid = body_.grid;
     const Point reach{site.clear_radius, site.clear_radius, 0.0};
@@ -114,8 +114,9 @@ class TipClearing {
         if (held_by_[number] != HeldPoints::free) held = std::min(held, distance);
       }
     }
+    // The interface may be as much as a spacing nearer.
     restrict(site, other, grid.spacing, "another material");
-    restrict(site, held, grid.spacing, "held points");
+    restrict(site, held, 0.0, "held points");
   }
 
   const Body& body_;

@@ -108,7 +108,7 @@ std::vector<Neighbourhood> neighbourhoods() {
       {square_with({{{0.0, 0.5}, {0.3, 0.5}, {0.5, 0.5}}}), 0.4, ""},
       // The nearest points stand at (0.8125, 0.4875) and (0.8125, 0.5125).
       {layered, std::hypot(0.3125, 0.0125) - 0.025, "another material, 312.7499 mm away"},
-      {held, std::hypot(0.3125, 0.0125) - 0.025, "held points, 312.7499 mm away"},
+      {held, std::hypot(0.3125, 0.0125), "held points, 312.7499 mm away"},
   };
 }
 
