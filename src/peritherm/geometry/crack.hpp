@@ -49,6 +49,14 @@ struct Crack {
 /// What is wrong with the crack in a body of this dimension; empty if nothing is.
 std::string find_fault(const Crack& crack, int dimension);
 
+/// An end of a polyline, with what lies before it.
+struct CrackTip {
+  int end = 0;         ///< 0: its first point, 1: its last one or where it has grown to
+  Point position{};    ///< [m]
+  Point direction{};   ///< of growth: the unit vector that leads out of the crack
+  double speed = 0.0;  ///< at which it grows now [m/s]
+};
+
 /// A crack made ready for many questions. Points on the crack belong to its left side (2-D, looking from the
 /// first to the last point), to the side the normal points to (3-D), to the right (1-D). A bond that passes exactly
 /// through a tip (2-D) is left whole, one through a corner is cut.
@@ -84,6 +92,9 @@ class CrackSurface {
 
   /// Straight pieces (2-D) or one polygon (3-D) of the part that exists at a time; for pictures.
   std::vector<std::vector<Point>> outline(double time) const;
+
+  /// 2-D: the ends of the part that exists at a time, wherever they lie; none of a polyline that has closed.
+  std::vector<CrackTip> tips(double time) const;
 
   double transmission() const { return transmission_; }
   /// True if bonds are cut after the start of the run.

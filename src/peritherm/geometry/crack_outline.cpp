@@ -58,4 +58,14 @@ std::vector<std::vector<Point>> CrackSurface::outline(double time) const {
   return {clipped(points_, depths, grown)};
 }
 
+std::vector<CrackTip> CrackSurface::tips(double time) const {
+  if (dimension_ != 2) return {};
+  const std::vector<std::vector<Point>> lines = outline(time);
+  if (lines.empty() || lines[0].front() == lines[0].back()) return {};
+  const std::vector<Point>& line = lines[0];
+  return {{0, line.front(), unit_vector(difference(line[0], line[1]))},
+          {1, line.back(), unit_vector(difference(line.back(), line[line.size() - 2])),
+           line.back() == points_.back() ? 0.0 : tip_speed_}};
+}
+
 }  // namespace peritherm

@@ -55,6 +55,16 @@ void CsvTable::append(std::span<const double> row) {
   write(lines);
 }
 
+void CsvTable::append(std::span<const std::string> row) {
+  std::string lines = started() ? "" : header_;
+  for (const std::string& text : row) {
+    lines += csv_entry(text);
+    lines += ',';
+  }
+  lines.back() = '\n';
+  write(lines);
+}
+
 void CsvTable::write(std::string_view lines) {
   errno = 0;
   if (!started()) out_.open(path_, std::ios::binary | std::ios::trunc);

@@ -28,6 +28,8 @@ class CsvTable {
   /// Adds a line and hands it to the system. Throws Error (Fault::machine) if it does not fit on the disk; the table
   /// then ends with the line before.
   void append(std::span<const double> row);
+  /// The same for entries that may be words; they are quoted where needed.
+  void append(std::span<const std::string> row);
 
   const std::filesystem::path& path() const { return path_; }
   bool started() const { return length_ > 0; }

@@ -33,6 +33,21 @@ struct InterfaceValues {
   std::vector<double> flux;           ///< from the first to the second [W/m²]
 };
 
+/// A free tip of a crack in a plate, and how far around it the crack alone shapes the temperature.
+struct TipSite {
+  int crack = 0;                ///< its number in the case, from 0
+  int end = 0;                  ///< 0: the first point of the crack, 1: the last or where it has grown to
+  Point position{};             ///< [m]
+  Point direction{};            ///< of growth, a unit vector
+  double angle_on_crack = 0.0;  ///< θ of points that stand on the crack: π or −π
+  double growth = 0.0;          ///< speed of the tip over the diffusivity [1/m]
+  double conductivity = 0.0;    ///< [W/(m K)]
+  double horizon = 0.0;         ///< [m]
+  double clear_radius = 0.0;    ///< [m]
+  std::string limit;            ///< what stands there: "another crack, 2 mm away"
+  std::string fault;            ///< why nothing can be said of this tip; mostly empty
+};
+
 /// What an observer may see, valid during the call. Fields have one entry per grid point, x fastest; points that
 /// were cut away hold NaN.
 struct Snapshot {
@@ -52,7 +67,8 @@ struct Snapshot {
   std::vector<InterfaceValues> interfaces = {};  ///< none in a body of one field
   /// Where temperatures are more than what lies between points of the grid; else empty.
   std::function<double(const Point& place)> temperature_at = {};
-  MaterialJumps jumps = {};  ///< of now, by the numbers in `materials`
+  MaterialJumps jumps = {};                         ///< of now, by the numbers in `materials`
+  std::function<std::vector<TipSite>()> tips = {};  ///< of now; found when asked for
 };
 
 /// Between the points of the grid, never mixed across an interface at which temperatures jump.
@@ -202,6 +218,15 @@ struct ContactOutput {
   bool operator==(const ContactOutput&) const = default;
 };
 
+/// flux_intensity.csv: the intensity of the heat flux at every free tip of the cracks of a plate, see tip_fit.hpp.
+struct FluxIntensityOutput {
+  static constexpr std::string_view name = "flux_intensity";
+  static constexpr std::string_view help =
+      "2-D: flux_intensity.csv: the coefficient K of the heat flux K/sqrt(2 pi r) ahead of each crack tip";
+  static constexpr auto options() { return std::tuple{}; }
+  bool operator==(const FluxIntensityOutput&) const = default;
+};
+
 /// First part of the names of the files that an output writes; two outputs must not share it.
 std::string file_stem(const VtkOutput& options);
 std::string file_stem(const PictureOutput& options);
@@ -209,9 +234,10 @@ std::string file_stem(const ProbeOutput& options);
 std::string file_stem(const LineOutput& options);
 std::string file_stem(const EnergyOutput& options);
 std::string file_stem(const ContactOutput& options);
+std::string file_stem(const FluxIntensityOutput& options);
 
-using OutputKind =
-    std::variant<VtkOutput, PictureOutput, ProbeOutput, LineOutput, EnergyOutput, ContactOutput>;  ///< the list
+using OutputKind = std::variant<VtkOutput, PictureOutput, ProbeOutput, LineOutput, EnergyOutput, ContactOutput,
+                                FluxIntensityOutput>;  ///< the list
 
 /// The ends of the line in a body, given or not.
 struct LineEnds {
@@ -225,6 +251,7 @@ std::unique_ptr<Observer> make_observer(const PictureOutput& options, const std:
 std::unique_ptr<Observer> make_observer(const LineOutput& options, const std::filesystem::path& folder);
 std::unique_ptr<Observer> make_observer(const EnergyOutput& options, const std::filesystem::path& folder);
 std::unique_ptr<Observer> make_observer(const ContactOutput& options, const std::filesystem::path& folder);
+std::unique_ptr<Observer> make_observer(const FluxIntensityOutput& options, const std::filesystem::path& folder);
 /// All probes share one file and one observer; every row holds all of them.
 std::unique_ptr<Observer> make_probe_observer(const std::vector<ProbeOutput>& probes,
                                               const std::filesystem::path& folder);

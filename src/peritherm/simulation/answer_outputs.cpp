@@ -8,6 +8,7 @@
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/model_question.hpp"
 #include "peritherm/simulation/plan.hpp"
+#include "peritherm/simulation/tip_sites.hpp"
 
 namespace peritherm {
 namespace {
@@ -100,6 +101,7 @@ void ModelScene::show(const ModelState& state, double level, bool lifted, std::s
     snapshot.heat_flux = [this](std::size_t first, std::span<Point> flux) {
       heat_flux(*assembly_, state_, first, flux);
     };
+    snapshot.tips = [this, &state] { return tip_sites(geometry(), state.time); };
     snapshot.damage = [this, &state] { return damage(geometry().body, geometry().stencil, cuts(), state.time); };
   }
   snapshot.stored_heat = stored_heat(model_, state, level);

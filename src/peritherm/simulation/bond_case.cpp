@@ -7,6 +7,7 @@
 #include "peritherm/simulation/plan.hpp"
 #include "peritherm/simulation/running_case.hpp"
 #include "peritherm/simulation/schedule.hpp"
+#include "peritherm/simulation/tip_sites.hpp"
 
 namespace peritherm {
 namespace {
@@ -63,6 +64,7 @@ class BondCase final : public RunningCase {
         .stored_heat = system.stored_heat(state_),
         .accounts = accounts(time),
         .jumps = jumps(),
+        .tips = [this, time] { return tip_sites(assembly_.geometry, time); },
     };
   }
 

@@ -163,6 +163,18 @@ void check_kind(Checker& checker, const std::string& key, const ContactOutput&) 
               "Choose nonlocality.model = \"two_field\", or set probes on both sides");
 }
 
+void check_kind(Checker& checker, const std::string& key, const FluxIntensityOutput&) {
+  const std::string needs = "'flux_intensity' needs the tips of cracks in a 2-D body of one field, ";
+  if (checker.grid && checker.grid->dimension != 2) {
+    checker.add(key + ".type", needs + "and this body is " + std::to_string(checker.grid->dimension) + "-D",
+                "Leave this output out");
+  } else if (checker.problem.nonlocality.model != Model::bond) {
+    checker.add(key + ".type", needs + "and this one has two", "Leave this output out, or choose the model \"bond\"");
+  } else if (checker.problem.cracks.empty() && checker.sound("crack")) {
+    checker.add(key + ".type", needs + "and this case has no crack", "Add a [[crack]], or leave this output out");
+  }
+}
+
 template <class Other>
 void check_kind(Checker&, const std::string&, const Other&) {}
 

@@ -59,5 +59,39 @@ TEST(CrackOutline, a_growing_disc_is_a_circle_until_it_has_its_radius) {
   }
 }
 
+TEST(CrackTips, lie_at_both_ends_and_look_out_of_the_crack) {
+  const std::vector<CrackTip> tips = surface({{0.0, 0.0}, {1.0, 0.0}, {1.0, 2.0}}, 2, 0.0).tips(1.0);
+  ASSERT_EQ(tips.size(), 2u);
+  EXPECT_EQ(tips[0].end, 0);
+  EXPECT_EQ(tips[0].position, (Point{0.0, 0.0, 0.0}));
+  EXPECT_EQ(tips[0].direction, (Point{-1.0, 0.0, 0.0}));
+  EXPECT_EQ(tips[1].end, 1);
+  EXPECT_EQ(tips[1].position, (Point{1.0, 2.0, 0.0}));
+  EXPECT_EQ(tips[1].direction, (Point{0.0, 1.0, 0.0}));
+}
+
+TEST(CrackTips, the_last_one_moves_while_the_crack_grows) {
+  const CrackSurface growing = surface({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}, 2, 0.5);
+  EXPECT_TRUE(growing.tips(1.0).empty());
+  EXPECT_EQ(growing.tips(2.0).at(1).position, (Point{0.5, 0.0, 0.0}));
+  EXPECT_EQ(growing.tips(2.0).at(1).direction, (Point{1.0, 0.0, 0.0}));
+  EXPECT_EQ(growing.tips(4.0).at(1).position, (Point{1.0, 0.5, 0.0}));
+  EXPECT_EQ(growing.tips(4.0).at(1).direction, (Point{0.0, 1.0, 0.0}));
+  EXPECT_EQ(growing.tips(4.0)[0].speed, 0.0);
+  EXPECT_EQ(growing.tips(4.0)[1].speed, 0.5);
+  EXPECT_EQ(growing.tips(9.0).at(1).speed, 0.0);
+}
+
+TEST(CrackTips, a_closed_polyline_has_none_once_it_has_closed) {
+  const CrackSurface loop = surface({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 0.0}}, 2, 0.5);
+  EXPECT_EQ(loop.tips(4.0).size(), 2u);
+  EXPECT_TRUE(loop.tips(9.0).empty());
+}
+
+TEST(CrackTips, only_polylines_have_them) {
+  EXPECT_TRUE(surface({{0.3}}, 1, 0.0).tips(1.0).empty());
+  EXPECT_TRUE(surface({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}}, 3, 0.0).tips(1.0).empty());
+}
+
 }  // namespace
 }  // namespace peritherm
