@@ -6,7 +6,8 @@ Usage: tip_shift.py [--kernels linear,constant] [--exponents 2,1,0] [--dimension
 (needs numpy and scipy; all rows take 25 minutes). For each kernel, exponent and dimension it prints a row of
 src/peritherm/physics/tip_shift.cpp: c for each ratio m of horizon and spacing, and its limit for fine grids. Below each
 row stand the spread of c over positions of the tip, and the limit as the last two ratios extrapolate it, with an error
-that falls like m^(-3/2), as up to m = 25, and how much m^(-2) would change. docs/theory/tip_shift.md derives all of this.
+like m^(-3/2), a power that fits and is not derived, and how much m^(-2) would change. docs/theory/tip_shift.md derives
+the rest.
 
 On the grid: a straight crack half way between two rows, T odd across its line, so that the points above it suffice.
 Bonds that cross the line left of the tip are mirrored, those right of it are whole, and within half a spacing of the

@@ -14,7 +14,7 @@ namespace peritherm {
 /// for other kernels. Below 2 the value at 2 is used. The best value for one place is up to 0.012 off the mean at a
 /// ratio of 3, 0.004 at 5, 0.002 at 6.5. Gaussian kernels of another sharpness a than 2 get their limit from
 /// tip_shift_relation and their dependence on the ratio m from neighbours in the table. From a ratio of 3 on this is
-/// right to 1 % for a < 2, else to 3 % where m ≥ 1.5 a and to 11 % where m ≥ a; the grid does not resolve sharper ones.
+/// right to 1 % for a < 2, else to 4 % where m ≥ 1.6 a and to 11 % where m ≥ a; the grid does not resolve sharper ones.
 double tip_shift(const Kernel& kernel, int dimension, double horizon_ratio);
 
 /// The limit of fine grids from moments of the kernel,
