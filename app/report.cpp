@@ -75,6 +75,12 @@ std::string two_field_summary_text(const TwoFieldSummary& summary) {
   return text;
 }
 
+std::string warnings_text(const Plan& plan) {
+  std::string text;
+  for (const std::string& warning : plan.warnings) text += "warning: " + warning + '\n';
+  return text;
+}
+
 std::string because(const std::string& reason) { return reason.empty() ? "" : " (" + reason + ")"; }
 
 }  // namespace
@@ -90,7 +96,7 @@ std::string plan_text(const Plan& plan) {
                       quantity(plan.stable_step, "s"), step_text(plan));
   text += fmt::format("expected: {} of memory, about {} evaluations, {}\n", bytes_text(plan.memory_bytes),
                       estimate_text(plan.evaluations), duration_text(plan.duration));
-  return text;
+  return text + warnings_text(plan);
 }
 
 std::string check_text(const Plan& plan) {
@@ -98,6 +104,11 @@ std::string check_text(const Plan& plan) {
   std::string text = grid_rows(plan);
   text += row("bonds", grouped(plan.bonds));
   text += row("cut bonds", grouped(plan.cut_bonds) + " at the end");
+  if (plan.faces) {
+    text += row("crack faces",
+                fmt::format("mirrored for {} points, whose bonds conduct {:.2g} to {:.2g} of the stencil's",
+                            grouped(plan.faces->points), plan.faces->lowest_share, plan.faces->highest_share));
+  }
   text += row("backend", plan.backend + ": " + plan.backend_reason);
   text += row("precision", plan.precision);
   text += row("integrator", plan.integrator + because(plan.integrator_reason));
@@ -106,7 +117,7 @@ std::string check_text(const Plan& plan) {
   text += row("step", step_text(plan));
   text += row("expected evaluations", "about " + estimate_text(plan.evaluations));
   text += row("expected duration", duration_text(plan.duration));
-  return text;
+  return text + warnings_text(plan);
 }
 
 std::string summary_text(const RunSummary& summary, const std::filesystem::path& folder) {

@@ -41,8 +41,9 @@ inline MeasuredBody measure(Problem problem, BackendName backend) {
     if (material == no_material || geometry.held_by[n] >= 0) continue;
     const GridIndex p = grid.index(n);
     const std::size_t entry = body.assembly.layout.entry(p);
-    const double capacity =
-        volumetric_heat_capacity(geometry.body.materials[material]) * grid.cell_volume() * grid.volume_share(p);
+    const MirroredFaces& faces = geometry.body.faces;
+    const double share = grid.volume_share(p) * (faces.empty() ? 1.0 : faces.volume(n));
+    const double capacity = volumetric_heat_capacity(geometry.body.materials[material]) * grid.cell_volume() * share;
     double sum = 0.0;
     body.system().conduction().visit_bonds(entry, [&sum](std::size_t, double g) { sum += 2.0 * std::abs(g); });
     body.entries.push_back(entry);

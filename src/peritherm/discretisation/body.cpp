@@ -99,7 +99,9 @@ MaterialIndex Body::material_of_extended(const GridIndex& p) const {
 }
 
 double Body::volume_share(const GridIndex& p) const {
-  return boundary_volumes == BoundaryVolumes::partial ? grid.volume_share(p) : grid.volume_share(p) / open_share(p);
+  const double parted = faces.empty() ? 1.0 : faces.volume(grid.number(p));
+  const double share = grid.volume_share(p) * parted;
+  return boundary_volumes == BoundaryVolumes::partial ? share : share / open_share(p);
 }
 
 double Body::source_share(const GridIndex& p) const {

@@ -5,6 +5,7 @@
 
 #include "peritherm/discretisation/broken_bonds.hpp"
 #include "peritherm/discretisation/grid.hpp"
+#include "peritherm/discretisation/mirrored_faces.hpp"
 #include "peritherm/geometry/crack.hpp"
 #include "peritherm/geometry/region.hpp"
 #include "peritherm/physics/interface.hpp"
@@ -53,6 +54,7 @@ struct Body {
   BoundaryVolumes boundary_volumes = BoundaryVolumes::partial;
   std::vector<CrackSurface> cracks;
   BrokenBonds broken;  ///< by elongation
+  MirroredFaces faces;
   std::array<FaceWalls, 6> walls;
   std::vector<WallKind> wall_kinds;  ///< per boundary index
 
@@ -78,7 +80,8 @@ struct Body {
 
   /// Material of a point or of the point it mirrors; no_material beyond open faces.
   MaterialIndex material_of_extended(const GridIndex& p) const;
-  /// Share of a cell that belongs to a point: halves on faces, but for open ones with whole boundary volumes.
+  /// Share of a cell that belongs to a point: halves on faces, but for open ones with whole boundary volumes; beside
+  /// mirroring cracks what lies on its side.
   double volume_share(const GridIndex& p) const;
   /// Share of a cell with which a point counts as a neighbour: halves only on open faces, since mirrors complete
   /// the cells of all others; none with whole boundary volumes.

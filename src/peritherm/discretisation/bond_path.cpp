@@ -57,7 +57,9 @@ Point BondTracer::fold(const Point& x, const Point& within) const {
 void BondTracer::append_crossings_of(const NearbyCracks& nearby, const Point& a, const Point& b, BondPath& path) {
   for (const auto& [crack, parts] : nearby.cracks) {
     const auto time = crack->crossing_time(a, b, parts);
-    if (time) path.crossings.push_back({*time, crack->transmission(), crack->changes_in_time()});
+    // What mirroring faces leave of a bond is in its face share.
+    const double transmission = crack->mirrors() ? 1.0 : crack->transmission();
+    if (time) path.crossings.push_back({*time, transmission, crack->changes_in_time()});
   }
 }
 
@@ -190,6 +192,7 @@ double BondTracer::contact_resistance(const Stretch& before, const Stretch& afte
 void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
                        BondPath& path) const {
   trace_cracks(nearby, a, material_a, b, material_b, path);
+  path.face_share = body_.faces.empty() ? 1.0 : body_.faces.share_of(body_.grid, a, b);
   if (path.conductivity != 0.0) {
     const auto time = body_.broken.time_of(a, b);
     if (time) path.crossings.push_back({std::max(*time, 0.0), body_.broken.transmission(), *time > 0.0, true});
@@ -223,7 +226,7 @@ void BondTracer::trace_cracks(const NearbyCracks& nearby, Point a, MaterialIndex
 }
 
 double standing_share(const BondPath& path) {
-  RemainingShare share;
+  RemainingShare share(path.face_share);
   for (const Crossing& crossing : path.crossings) {
     if (!crossing.in_time) share.pass(crossing);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "peritherm/discretisation/body.hpp"
@@ -18,6 +19,7 @@ struct Crossing {
 /// What lies along a bond.
 struct BondPath {
   double conductivity = 0.0;        ///< without cracks [W/(m K)]; 0 if the bond leaves the body
+  double face_share = 1.0;          ///< what mirroring faces make of the bond, over the volume of its beginning
   std::vector<Crossing> crossings;  ///< at most one per crack and mirror image, and one by elongation; earliest first
 };
 
@@ -26,11 +28,14 @@ struct BondPath {
 /// gap must not count twice.
 class RemainingShare {
  public:
-  void pass(const Crossing& crossing) { (crossing.by_elongation ? broken_ : cracks_) *= crossing.transmission; }
+  explicit RemainingShare(double face_share = 1.0) : cracks_(face_share) {}
+  void pass(const Crossing& crossing) {
+    crossing.by_elongation ? void(broken_ = crossing.transmission) : void(cracks_ *= crossing.transmission);
+  }
   double value() const { return std::min(cracks_, broken_); }
 
  private:
-  double cracks_ = 1.0, broken_ = 1.0;
+  double cracks_, broken_ = std::numeric_limits<double>::infinity();
 };
 
 /// The cracks that reach into some part of the body, and with which of their parts.

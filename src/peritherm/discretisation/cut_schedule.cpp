@@ -5,7 +5,7 @@
 namespace peritherm {
 
 void CutSchedule::add(std::size_t entry, double offset, double full, const BondPath& path) {
-  RemainingShare share;
+  RemainingShare share(path.face_share);
   for (const Crossing& crossing : path.crossings) {
     if (!crossing.in_time) share.pass(crossing);
   }

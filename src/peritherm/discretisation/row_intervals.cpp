@@ -75,9 +75,11 @@ std::vector<RowInterval> points_near_cracks(const Body& body, int radius) {
       append_box(grid, low, high, intervals);
     }
   }
-  for (const std::int64_t point : body.broken.points()) {
-    const GridIndex p = grid.index(static_cast<std::size_t>(point));
-    append_box(grid, p, p, intervals);
+  for (const auto points : {body.broken.points(), body.faces.points()}) {
+    for (const std::int64_t point : points) {
+      const GridIndex p = grid.index(static_cast<std::size_t>(point));
+      append_box(grid, p, p, intervals);
+    }
   }
   merge(intervals);
   return intervals;

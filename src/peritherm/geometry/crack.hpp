@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "peritherm/base/describe.hpp"
@@ -23,6 +24,45 @@ struct Disc {
   bool operator==(const Disc&) const = default;
 };
 
+/// What becomes of the conductance of bonds that a crack passes.
+enum class Faces {
+  mirror,  ///< given to bonds along their own side, as if they were mirrored in the face: second order
+  cut      ///< lost: first order, as in the papers
+};
+
+template <>
+struct EnumNames<Faces> {
+  static constexpr std::array<std::pair<Faces, std::string_view>, 2> values{
+      {{Faces::mirror, "mirror"}, {Faces::cut, "cut"}}};
+};
+
+struct AutomaticTipShift {
+  static constexpr std::string_view name = "auto";
+  static constexpr std::string_view help = "as far as the kernel needs, and bonds around tips adjusted";
+  static constexpr auto options() { return std::tuple{}; }
+  bool operator==(const AutomaticTipShift&) const = default;
+};
+
+struct NoTipShift {
+  static constexpr std::string_view name = "none";
+  static constexpr std::string_view help = "tips stay where they are";
+  static constexpr auto options() { return std::tuple{}; }
+  bool operator==(const NoTipShift&) const = default;
+};
+
+struct GivenTipShift {
+  double value = 0.0;
+  static constexpr std::string_view name = "number";
+  static constexpr std::string_view help = "a share of the horizon; a plain number says the same";
+  static constexpr auto options() {
+    return std::tuple{required("value", &GivenTipShift::value, "", zero_to_one, "share of the horizon")};
+  }
+  bool operator==(const GivenTipShift&) const = default;
+};
+
+/// By how much the effective tips of cracks with mirroring faces are pulled back.
+using TipShift = std::variant<AutomaticTipShift, NoTipShift, GivenTipShift>;
+
 /// A surface that interrupts heat: a position in 1-D, a polyline in 2-D, a plane polygon or a disc in 3-D.
 struct Crack {
   std::vector<Coordinates> points;  ///< 1-D: one, 2-D: two or more, 3-D: three or more corners in one plane [m]
@@ -30,6 +70,8 @@ struct Crack {
   double transmission = 0.0;        ///< α: share of its conductance that a cut bond keeps
   double start_time = 0.0;          ///< when it appears or begins to grow [s]
   std::optional<double> tip_speed;  ///< speed of the tip along the polyline, or of the front [m/s]
+  std::optional<Faces> faces;       ///< left out: as the model has it, see resolved
+  std::optional<TipShift> tip_shift;
 
   static constexpr auto options() {
     return std::tuple{
@@ -41,7 +83,10 @@ struct Crack {
         optional("start_time", &Crack::start_time, "s", not_negative, "when the crack appears or begins to grow"),
         optional("tip_speed", &Crack::tip_speed, "m/s", positive,
                  "growth from the first point (2-D), the first edge (3-D polygon) or the centre (disc); left out: "
-                 "the whole crack at once")};
+                 "the whole crack at once"),
+        optional("faces", &Crack::faces, "bonds that the crack passes: mirrored or cut; default: as nonlocality.faces"),
+        optional("tip_shift", &Crack::tip_shift,
+                 "by how much effective tips are pulled back where faces mirror; default: as nonlocality.tip_shift")};
   }
   bool operator==(const Crack&) const = default;
 };
@@ -96,7 +141,14 @@ class CrackSurface {
   /// 2-D: the ends of the part that exists at a time, wherever they lie; none of a polyline that has closed.
   std::vector<CrackTip> tips(double time) const;
 
+  /// Corners of the part that exists at a time, of a polygon or polyline; the centre of a disc. Empty before it begins.
+  std::vector<Point> corners(double time) const;
+  /// Radius of a disc at a time [m]; 0 of anything else.
+  double radius(double time) const;
+
   double transmission() const { return transmission_; }
+  /// Bonds that it passes are mirrored, and not only cut.
+  bool mirrors() const { return mirrors_; }
   /// True if bonds are cut after the start of the run.
   bool changes_in_time() const { return tip_speed_ > 0.0 || start_time_ > 0.0; }
 
@@ -114,7 +166,8 @@ class CrackSurface {
   double tolerance_;  ///< distance below which a point lies on the crack [m]
   double transmission_;
   double start_time_;
-  double tip_speed_ = 0.0;                            ///< 0: all at once
+  double tip_speed_ = 0.0;  ///< 0: all at once
+  bool mirrors_ = false;
   std::vector<Point> points_;                         ///< corners; of a disc: its centre only
   bool closed_ = false;                               ///< 2-D: the last point is the first
   std::vector<double> arc_;                           ///< 2-D: length from the first point to each corner

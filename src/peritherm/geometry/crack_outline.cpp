@@ -46,16 +46,26 @@ std::vector<Point> circle(const Point& centre, const Point& along, const Point& 
 
 }  // namespace
 
-std::vector<std::vector<Point>> CrackSurface::outline(double time) const {
+std::vector<Point> CrackSurface::corners(double time) const {
   const bool grows = tip_speed_ > 0.0;
   if (time < start_time_ || (grows && time == start_time_ && dimension_ > 1)) return {};
-  const double grown = grows ? (time - start_time_) * tip_speed_ : HUGE_VAL;
-  if (dimension_ == 1) return {points_};
-  if (dimension_ == 2) return {grown_polyline(points_, arc_, grown)};
-  if (radius_ > 0.0) return {circle(points_[0], along_, across_, std::min(radius_, grown))};
+  if (!grows || dimension_ == 1 || radius_ > 0.0) return points_;
+  const double grown = (time - start_time_) * tip_speed_;
+  if (dimension_ == 2) return grown_polyline(points_, arc_, grown);
   std::vector<double> depths;
   for (const auto& corner : plane_corners_) depths.push_back(corner[1]);
-  return {clipped(points_, depths, grown)};
+  return clipped(points_, depths, grown);
+}
+
+double CrackSurface::radius(double time) const {
+  return tip_speed_ > 0.0 ? std::min(radius_, std::max(0.0, time - start_time_) * tip_speed_) : radius_;
+}
+
+std::vector<std::vector<Point>> CrackSurface::outline(double time) const {
+  std::vector<Point> shape = corners(time);
+  if (shape.empty()) return {};
+  if (radius_ > 0.0) return {circle(points_[0], along_, across_, radius(time))};
+  return {std::move(shape)};
 }
 
 std::vector<CrackTip> CrackSurface::tips(double time) const {

@@ -142,12 +142,17 @@ class BlockBuilder {
     const auto breaks = [&](const GridIndex& offset) {
       return !broken.bonds.empty() && broken.find(body.broken.number_of(offset)).has_value();
     };
+    const MirroredFaces::Row faces = body.faces.row(point);
+    const auto mirrored = [&](const GridIndex& offset) {
+      return !faces.bonds.empty() && faces.find(body.faces.number_of(offset)).has_value();
+    };
+    const bool parted = !faces.bonds.empty() && body.faces.volume(point) != 1.0;
     for (std::size_t k = 0; k < plan_.stencil.entries.size(); ++k) {
       const auto& [offset, conductance] = plan_.stencil.entries[k];
       const GridIndex q{p[0] + offset[0], p[1] + offset[1], p[2] + offset[2]};
       // In a body of one material only cracks, elongation and walls make a difference.
       const bool plain = body.regions.empty() && !filter_.may_cross(k) && body.grid.contains(q) && !plan_.halves;
-      if (plain && !breaks(offset)) continue;
+      if (plain && !parted && !breaks(offset) && !mirrored(offset)) continue;
       add_bond(p, material, q, own * conductance, conductance);
     }
     const bool free = held_by_[point] < 0;
@@ -183,7 +188,7 @@ class BlockBuilder {
       block_.differences.push_back(difference);
     } else if (difference != 0.0) {
       row_.push_back({difference, distance_between(p, partner)});
-      row_enumerable_ = row_enumerable_ && (plan_.enumerable || difference == offset);
+      row_enumerable_ = row_enumerable_ && (plan_.enumerable || difference == offset) && path_.face_share == 1.0;
     }
   }
 

@@ -29,6 +29,15 @@ class GridOperator final : public ConductionOperator {
       inverse_capacities_.push_back(1.0 / (volumetric_heat_capacity(material) * body.grid.cell_volume()));
     }
     if (body.materials.size() > 1 || body.has_voids()) material_of_ = body.material_of;
+    for (const std::int64_t point : body.faces.points()) {
+      const GridIndex p = body.grid.index(static_cast<std::size_t>(point));
+      const double volume = body.faces.volume(static_cast<std::size_t>(point));
+      if (volume == 1.0) continue;
+      const bool held = held_by[static_cast<std::size_t>(point)] >= 0;
+      const double capacity = 1.0 / inverse_capacities_[material_of(static_cast<std::size_t>(point))];
+      const double excess = held ? 0.0 : capacity * body.grid.volume_share(p) * (volume - 1.0);
+      parted_.push_back({layout.entry(p), volume, excess});
+    }
   }
 
   std::size_t size() const override { return layout_.size(); }
@@ -57,34 +66,38 @@ class GridOperator final : public ConductionOperator {
 
   double heat_product(ConstField a, ConstField b) const override {
     return sum_over_rows([&](const RowRun& run, const GridIndex& row, std::size_t entry) {
-      if (run.rate_scale == 0.0) return 0.0;
-      double sum = 0.0;
-      for (std::int32_t x = run.begin; x < run.end; ++x) {
-        const std::size_t n = entry + static_cast<std::size_t>(x);
-        sum += layout_.grid().volume_share({x, row[1], row[2]}) * (a[n] * b[n]);
-      }
-      return run.capacity * sum;
-    });
+             if (run.rate_scale == 0.0) return 0.0;
+             double sum = 0.0;
+             for (std::int32_t x = run.begin; x < run.end; ++x) {
+               const std::size_t n = entry + static_cast<std::size_t>(x);
+               sum += layout_.grid().volume_share({x, row[1], row[2]}) * (a[n] * b[n]);
+             }
+             return run.capacity * sum;
+           }) +
+           sum_over_parted([&](std::size_t n) { return a[n] * b[n]; });
   }
 
   double stored_heat(ConstField temperature) const override {
     return sum_over_rows([&](const RowRun& run, const GridIndex& row, std::size_t entry) {
-      if (run.rate_scale == 0.0) return 0.0;
-      double sum = 0.0;
-      for (std::int32_t x = run.begin; x < run.end; ++x) {
-        sum += layout_.grid().volume_share({x, row[1], row[2]}) * temperature[entry + static_cast<std::size_t>(x)];
-      }
-      return run.capacity * sum;
-    });
+             if (run.rate_scale == 0.0) return 0.0;
+             double sum = 0.0;
+             for (std::int32_t x = run.begin; x < run.end; ++x) {
+               sum +=
+                   layout_.grid().volume_share({x, row[1], row[2]}) * temperature[entry + static_cast<std::size_t>(x)];
+             }
+             return run.capacity * sum;
+           }) +
+           sum_over_parted([&](std::size_t n) { return temperature[n]; });
   }
 
   double heat_capacity() const override {
     return sum_over_rows([&](const RowRun& run, const GridIndex& row, std::size_t) {
-      if (run.rate_scale == 0.0) return 0.0;
-      double sum = 0.0;
-      for (std::int32_t x = run.begin; x < run.end; ++x) sum += layout_.grid().volume_share({x, row[1], row[2]});
-      return run.capacity * sum;
-    });
+             if (run.rate_scale == 0.0) return 0.0;
+             double sum = 0.0;
+             for (std::int32_t x = run.begin; x < run.end; ++x) sum += layout_.grid().volume_share({x, row[1], row[2]});
+             return run.capacity * sum;
+           }) +
+           sum_over_parted([](std::size_t) { return 1.0; });
   }
 
   void heat_capacities(Field capacities) const override {
@@ -99,6 +112,7 @@ class GridOperator final : public ConductionOperator {
         }
       }
     }
+    for (const PartedCell& cell : parted_) capacities[cell.entry] += cell.excess;
   }
 
   Extremes extremes(ConstField temperature) const override {
@@ -126,7 +140,7 @@ class GridOperator final : public ConductionOperator {
     const GridIndex p = layout_.index(entry);
     const MaterialIndex material = material_of(layout_.grid().number(p));
     if (material == no_material) return;
-    const double volume_share = layout_.grid().volume_share(p);
+    const double volume_share = layout_.grid().volume_share(p) * parted_share(entry);
     const double own = conductivities_[material] * volume_share;
     for (const StencilEntry& bond : stencil_.entries) {
       visit(entry + static_cast<std::size_t>(layout_.distance(bond.offset)), own * bond.conductance);
@@ -154,7 +168,8 @@ class GridOperator final : public ConductionOperator {
     for (std::size_t x = 0; x < length; ++x, ++p[0]) {
       const MaterialIndex material = material_of(layout_.grid().number(p));
       if (holders[x] >= 0 || material == no_material) continue;
-      scales[x] = conductivities_[material] * layout_.grid().volume_share(p);
+      scales[x] = conductivities_[material] * layout_.grid().volume_share(p) *
+                  parted_share(static_cast<std::size_t>(stretch.entry) + x);
     }
     const auto held = static_cast<std::int16_t>(boundary);
     for (const StencilEntry& bond : stencil_.entries) {
@@ -196,13 +211,34 @@ class GridOperator final : public ConductionOperator {
   }
 
  private:
+  /// A cell beside a crack that is not all its point's own, or has taken on a part of another.
+  struct PartedCell {
+    std::size_t entry;
+    double volume;  ///< share of a cell
+    double excess;  ///< heat capacity beyond that of a whole cell [J/K]; 0 if held
+  };
+
+  double parted_share(std::size_t entry) const {
+    const auto found = std::lower_bound(parted_.begin(), parted_.end(), entry,
+                                        [](const PartedCell& cell, std::size_t wanted) { return cell.entry < wanted; });
+    return found != parted_.end() && found->entry == entry ? found->volume : 1.0;
+  }
+
+  template <class Value>
+  double sum_over_parted(Value value) const {
+    double sum = 0.0;
+    for (const PartedCell& cell : parted_) sum += cell.excess * value(cell.entry);
+    return sum;
+  }
+
   void add_correction_weights(const Stretch& stretch, const std::vector<double>& scales,
                               std::span<const std::int16_t> holder, std::int16_t held, std::int64_t origin,
                               Field weights) const {
     for (std::int32_t x = 0; x < stretch.length; ++x) {
       if (scales[static_cast<std::size_t>(x)] == 0.0) continue;
       const std::int64_t entry = stretch.entry + x;
-      const double volume_share = layout_.grid().volume_share(layout_.index(static_cast<std::size_t>(entry)));
+      const double volume_share = layout_.grid().volume_share(layout_.index(static_cast<std::size_t>(entry))) *
+                                  parted_share(static_cast<std::size_t>(entry));
       corrections_.visit(static_cast<std::size_t>(entry), [&](std::int64_t distance, double difference) {
         if (holder[static_cast<std::size_t>(entry + distance)] != held) return;
         weights[static_cast<std::size_t>(entry + distance - origin)] += volume_share * difference;
@@ -262,6 +298,7 @@ class GridOperator final : public ConductionOperator {
   Kernels kernels_;
   RowRuns runs_;
   BondCorrections corrections_;
+  std::vector<PartedCell> parted_;  ///< ascending by entry
   std::vector<double> conductivities_;
   std::vector<double> inverse_capacities_;  ///< 1 / (ρ c V) of whole cells [K/J]
   std::vector<MaterialIndex> material_of_;  ///< empty if all points are of the first material

@@ -12,6 +12,7 @@
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/displacement_series.hpp"
 #include "peritherm/simulation/material_table.hpp"
+#include "peritherm/simulation/mirror_cracks.hpp"
 
 namespace peritherm {
 namespace {
@@ -224,6 +225,8 @@ std::unique_ptr<ConductionOperator> make_grid_backend(const Geometry& geometry, 
 /// Every bond conducts at most as the best material does, and every point stores at least as the poorest.
 double spectral_bound(const Geometry& geometry) {
   const Body& body = geometry.body;
+  // Bonds along mirroring faces conduct better than the stencil's.
+  if (!body.faces.empty()) return 0.0;
   // Walls that differ from place to place continue the body to no lattice of this stencil.
   for (const FaceWalls& wall : body.walls) {
     if (wall.partly_held) return 0.0;
@@ -309,6 +312,7 @@ Geometry make_geometry(const Problem& given) {
   geometry.stencil_options = stencil_options_of(problem);
   geometry.stencil = make_stencil(geometry.stencil_options, body.grid.spacing, body.grid.dimension);
   body.broken = break_bonds(problem, body, geometry.stencil);
+  body.faces = mirror_cracks(problem, geometry);
   hold_points(problem, geometry);
   return geometry;
 }

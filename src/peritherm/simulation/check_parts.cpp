@@ -238,6 +238,17 @@ void check_one_sided(Checker& checker) {
               "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
 }
 
+/// Mirrored bonds do not follow tips.
+void check_faces(Checker& checker, const std::string& key, const Crack& crack) {
+  const Faces faces = crack.faces.value_or(checker.problem.nonlocality.faces.value_or(Faces::cut));
+  if (faces == Faces::cut || !(crack.tip_speed || crack.start_time > 0.0)) return;
+  checker.add(key + (crack.faces       ? ".faces"
+                     : crack.tip_speed ? ".tip_speed"
+                                       : ".start_time"),
+              "faces mirror only where a crack neither grows nor appears later",
+              "Write faces = \"cut\" for this crack, or let it be there from the start");
+}
+
 }  // namespace
 
 void check_cracks(Checker& checker) {
@@ -247,6 +258,7 @@ void check_cracks(Checker& checker) {
     if (!checker.sound(key)) continue;
     const std::string place = key + (cracks[i].disc ? ".disc" : ".points");
     const std::string fault = find_fault(cracks[i], checker.grid->dimension);
+    check_faces(checker, key, cracks[i]);
     const std::string guilty = fault.find("'tip_speed'") == std::string::npos ? place : key + ".tip_speed";
     if (!checker.accept(guilty, fault) || !misses_body(cracks[i], *checker.grid)) continue;
     checker.add(place, "the crack is outside the body", box_text(*checker.grid));

@@ -25,7 +25,8 @@ class HeatedPointFinder {
   void add_row(const GridIndex& first) {
     const int length = body_.grid.count(0);
     const MaterialIndex* const materials = body_.material_of.data() + body_.grid.number(first);
-    const bool alike = !where_ && geometry_.held_by.empty() && body_.grid.placement == PointPlacement::centres &&
+    const bool alike = !where_ && body_.faces.empty() && geometry_.held_by.empty() &&
+                       body_.grid.placement == PointPlacement::centres &&
                        std::equal(materials + 1, materials + length, materials);
     for (GridIndex p = first; p[0] < length; p[0] += alike ? length : 1) add_points(p, alike ? length : 1);
   }

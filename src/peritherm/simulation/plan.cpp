@@ -1,5 +1,6 @@
 #include "peritherm/simulation/plan.hpp"
 
+#include <fmt/core.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -224,6 +225,27 @@ Prepared prepare(const Problem& given) {
   return prepared;
 }
 
+/// "(0.1, 0.2) m"
+std::string at_place(const Point& place, int dimension) {
+  std::string text = "(" + fmt::format("{:.6g}", place[0]);
+  for (int axis = 1; axis < dimension; ++axis) text += fmt::format(", {:.6g}", place[axis]);
+  return text + ") m";
+}
+
+/// Faces that could not be mirrored are never passed over.
+void describe_faces(const Body& body, Plan& plan) {
+  const MirroredFaces& faces = body.faces;
+  if (faces.empty()) return;
+  plan.faces = FacesPlan{faces.points().size(), faces.lowest_share(), faces.highest_share()};
+  if (faces.cut_points().empty()) return;
+  const Point place = body.grid.position(body.grid.index(static_cast<std::size_t>(faces.cut_points().front())));
+  plan.warnings.push_back("beside cracks " + std::to_string(faces.cut_points().size()) +
+                          (faces.cut_points().size() == 1 ? " point keeps" : " points keep") +
+                          " bonds that are only cut, the first at " + at_place(place, body.grid.dimension) +
+                          ": other cracks, materials or open faces are too near for mirrored ones. Choose a "
+                          "smaller horizon with more cells, or faces = \"cut\"");
+}
+
 Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenStepping& chosen) {
   const Problem& problem = prepared.problem;
   const Geometry& geometry = assembly.geometry;
@@ -240,6 +262,7 @@ Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenS
   const CutBonds* const known = assembly.system->conduction().cut_bonds();
   plan.cut_bonds = known != nullptr ? known->count_before(problem.time.end)
                                     : find_cut_bonds(body, geometry.stencil).count_before(problem.time.end);
+  describe_faces(body, plan);
   plan.backend = name_of(assembly.backend);
   plan.backend_reason = prepared.choice.reason;
   plan.precision = name_of(problem.numerics.precision);

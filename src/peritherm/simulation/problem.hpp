@@ -95,6 +95,8 @@ struct NonlocalityOptions {
   std::optional<SelfTerm> self_term;
   std::optional<InterfaceRule> interface;
   std::optional<BoundaryVolumes> boundary_volumes;
+  std::optional<Faces> faces;
+  std::optional<TipShift> tip_shift;
   static constexpr auto options() {
     return std::tuple{
         optional("model", &NonlocalityOptions::model,
@@ -118,7 +120,13 @@ struct NonlocalityOptions {
                  "conductivity of bonds between materials; default: as the scheme does, else length_weighted_harmonic"),
         optional("boundary_volumes", &NonlocalityOptions::boundary_volumes,
                  "with how much of its cell a point on a face counts where nothing stands outside; default: "
-                 "as the scheme has it")};
+                 "as the scheme has it"),
+        optional("faces", &NonlocalityOptions::faces,
+                 "bonds that cracks pass: mirror: their conductance goes to bonds along their side, second order; cut: "
+                 "it is lost, first order; default: cut"),
+        optional("tip_shift", &NonlocalityOptions::tip_shift,
+                 "by how much the effective tips of cracks are pulled back where faces mirror: \"auto\" (default), "
+                 "\"none\" or a share of the horizon")};
   }
   bool operator==(const NonlocalityOptions&) const = default;
 };

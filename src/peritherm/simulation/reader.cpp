@@ -148,6 +148,7 @@ void Reader::read_value(const toml::node& node, const std::string& path, const R
     case ValueForm::named_tables:
       return read_named_tables(node, path, kind, target);
     case ValueForm::choice:
+      if (node.is_number() && read_plain_number(node, path, kind, target)) return;
       return with_table(node, path, true, [this, &path, &kind, target](const toml::table& table) {
         KnownKeys known;
         read_choice(table, path, kind, target, true, known);
@@ -161,6 +162,17 @@ void Reader::read_value(const toml::node& node, const std::string& path, const R
     default:
       read_scalar(node, path, rule, kind, target);
   }
+}
+
+/// A number alone stands for the alternative that is called so.
+bool Reader::read_plain_number(const toml::node& node, const std::string& path, const ValueKind& kind, void* target) {
+  for (std::size_t i = 0; i < kind.structs.size(); ++i) {
+    if (kind.structs[i]->name != "number") continue;
+    const OptionKind& option = kind.structs[i]->options.front();
+    read_value(node, path, Rule{option.unit, option.check}, *option.value, value_in(kind.make(target, i), option));
+    return true;
+  }
+  return false;
 }
 
 void Reader::read_scalar(const toml::node& node, const std::string& path, const Rule& rule, const ValueKind& kind,

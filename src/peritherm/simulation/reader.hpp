@@ -50,6 +50,7 @@ class Reader {
                    bool required, KnownKeys& known);
   void read_value(const toml::node& node, const std::string& path, const Rule& rule, const ValueKind& kind,
                   void* target);
+  bool read_plain_number(const toml::node& node, const std::string& path, const ValueKind& kind, void* target);
   void read_scalar(const toml::node& node, const std::string& path, const Rule& rule, const ValueKind& kind,
                    void* target);
   void read_word(const toml::node& node, const std::string& path, const ValueKind& kind, void* target);

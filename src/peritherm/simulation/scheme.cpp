@@ -64,6 +64,12 @@ Problem resolved(Problem problem) {
   fill(options.self_term, choices.self_term);
   fill(options.interface, choices.interface);
   fill(options.boundary_volumes, choices.boundary_volumes);
+  fill(options.faces, choices.faces);
+  fill(options.tip_shift, TipShift{});
+  for (Crack& crack : problem.cracks) {
+    fill(crack.faces, *options.faces);
+    fill(crack.tip_shift, *options.tip_shift);
+  }
   insulate_other_faces(problem, choices.insulated);
   for (BoundaryOptions& boundary : problem.boundaries) {
     // Selected points are held themselves, and give and take heat through their own cells.

@@ -2,6 +2,7 @@
 
 #include "peritherm/discretisation/grid.hpp"
 #include "peritherm/discretisation/stencil.hpp"
+#include "peritherm/geometry/crack.hpp"
 #include "peritherm/physics/boundary.hpp"
 #include "peritherm/physics/interface.hpp"
 #include "peritherm/physics/partial_volume.hpp"
@@ -28,6 +29,7 @@ struct SchemeChoices {
   SelfTerm self_term = SelfTerm::none;
   InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
   BoundaryVolumes boundary_volumes = BoundaryVolumes::partial;
+  Faces faces = Faces::cut;             ///< of cracks
   Imposed held = Imposed::mirror;       ///< of held faces
   Outside insulated = Outside::mirror;  ///< of insulated faces
   Outside flux = Outside::mirror;       ///< of faces with a prescribed flux

@@ -29,6 +29,12 @@ struct TwoFieldSummary {
   double lowest_given = 0.0, highest_given = 0.0;  ///< at the start and around the body
 };
 
+/// What mirroring faces of cracks make of a body.
+struct FacesPlan {
+  std::size_t points = 0;                          ///< with bonds that conduct otherwise
+  double lowest_share = 1.0, highest_share = 1.0;  ///< of the stencil's conductances, among bonds that no crack passes
+};
+
 /// Sizes and costs of a run, known before it starts.
 struct Plan {
   int dimension = 0;
@@ -48,6 +54,8 @@ struct Plan {
   double evaluations = 0.0;       ///< estimate
   double duration = 0.0;          ///< estimate [s]
   std::optional<TwoFieldPlan> two_field;
+  std::optional<FacesPlan> faces;
+  std::vector<std::string> warnings;
 };
 
 /// What a running simulation tells, after each step.

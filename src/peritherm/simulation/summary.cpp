@@ -56,6 +56,12 @@ void write_summary(const RunSummary& summary, const std::filesystem::path& folde
       {"energy_relative_residual", summary.energy_relative_residual},
       {"end_time_s", summary.end_time},
   };
+  if (plan.faces) {
+    json["mirrored_faces"] = {{"points", plan.faces->points},
+                              {"lowest_share", plan.faces->lowest_share},
+                              {"highest_share", plan.faces->highest_share}};
+  }
+  if (!plan.warnings.empty()) json["warnings"] = plan.warnings;
   add_two_field(summary, json);
   write_file(folder / "summary.json", json.dump(2) + "\n");
 }

@@ -39,7 +39,11 @@ class TipClearing {
   }
 
   TipSite look_around(const CrackTip& tip, std::size_t crack) {
-    TipSite site{static_cast<int>(crack), tip.end, tip.position, tip.direction};
+    TipSite site;
+    site.crack = static_cast<int>(crack);
+    site.end = tip.end;
+    site.position = tip.position;
+    site.direction = tip.direction;
     // Points on a crack belong to its left, looking from its first to its last point.
     site.angle_on_crack = tip.end == 1 ? std::numbers::pi : -std::numbers::pi;
     site.horizon = horizon_;

@@ -1,0 +1,270 @@
+#include "peritherm/discretisation/face_fit.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "peritherm/discretisation/face_system.hpp"
+
+namespace peritherm {
+namespace {
+
+constexpr int most_iterations = 60;
+constexpr int most_rounds = 4;
+/// A row that misses its target by this share of the bulk's second moment is given up.
+constexpr double largest_miss = 0.01;
+
+/// Conductance over what it was at first: 1 + t, bent into an exponential below one half, so that it stays positive.
+double conductance_ratio(double t) { return t >= -0.5 ? 1.0 + t : 0.5 * std::exp(2.0 * t + 1.0); }
+double ratio_slope(double t) { return t >= -0.5 ? 1.0 : std::exp(2.0 * t + 1.0); }
+/// Its integral.
+double ratio_integral(double t) { return t >= -0.5 ? t + 0.5 * t * t : 0.25 * std::exp(2.0 * t + 1.0) - 0.625; }
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Lower triangle of K diag(slopes) Kᵀ, and its factors.
+class FaceMatrix {
+ public:
+  explicit FaceMatrix(const FaceSystem& system) : system_(system) { find_pattern(); }
+
+  void factorise(const std::vector<double>& slopes) {
+    fill(slopes);
+    solver_.factorize(matrix_);
+  }
+
+  void solve(const std::vector<double>& right, std::vector<double>& solution) const {
+    const Eigen::Map<const Eigen::VectorXd> b(right.data(), static_cast<int>(right.size()));
+    const Eigen::VectorXd x = solver_.solve(b);
+    solution.assign(x.data(), x.data() + x.size());
+  }
+
+ private:
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+  /// Pairs (column, row ≥ column) of rows that share a class.
+  Pairs find_pairs() const {
+    Pairs pairs;
+    for (std::size_t e = 0; e < system_.class_count(); ++e) {
+      for (const auto& a : system_.members(e)) {
+        for (const auto& b : system_.members(e)) {
+          if (b.row <= a.row) pairs.emplace_back(b.row, a.row);
+        }
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+  void find_pattern() {
+    const Pairs pairs = find_pairs();
+    const std::size_t size = system_.moments(), length = system_.target().size();
+    matrix_.resize(static_cast<int>(length), static_cast<int>(length));
+    std::vector<int> counts(length);
+    for (const auto& [column, row] : pairs) {
+      for (std::size_t i = 0; i < size; ++i) counts[column * size + i] += static_cast<int>(size);
+    }
+    matrix_.reserve(counts);
+    for (const auto& [column, row] : pairs) {
+      for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t j = 0; j < size; ++j) {
+          matrix_.insert(static_cast<int>(row * size + j), static_cast<int>(column * size + i)) = 0.0;
+        }
+      }
+    }
+    matrix_.makeCompressed();
+    for (const auto& [column, row] : pairs) {
+      const int* const begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column * size];
+      const int* const end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column * size + 1];
+      first_of_pair_[key(column, row)] =
+          static_cast<int>(std::lower_bound(begin, end, static_cast<int>(row * size)) - begin);
+    }
+    solver_.analyzePattern(matrix_);
+  }
+
+  static std::uint64_t key(std::uint64_t column, std::uint64_t row) { return column << 32 | row; }
+
+  void fill(const std::vector<double>& slopes) {
+    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
+    for (std::size_t e = 0; e < system_.class_count(); ++e) {
+      const double slope = slopes[e] / system_.times(e);
+      for (const auto& a : system_.members(e)) {
+        for (const auto& b : system_.members(e)) {
+          if (b.row <= a.row) add_block(b, a, slope);
+        }
+      }
+    }
+    for (int n = 0; n < matrix_.cols(); ++n) {
+      matrix_.coeffRef(n, n) += system_.elasticity()[static_cast<std::size_t>(n)];
+    }
+  }
+
+  void add_block(const FaceSystem::Member& column, const FaceSystem::Member& row, double slope) {
+    const std::size_t size = system_.moments();
+    const FaceMoments left = system_.scaled_moments(row), right = system_.scaled_moments(column);
+    const int first = first_of_pair_.at(key(column.row, row.row));
+    for (std::size_t i = 0; i < size; ++i) {
+      double* const values = matrix_.valuePtr() + matrix_.outerIndexPtr()[column.row * size + i] + first;
+      for (std::size_t j = 0; j < size; ++j) values[j] += slope * left[j] * right[i];
+    }
+  }
+
+  const FaceSystem& system_;
+  Eigen::SparseMatrix<double> matrix_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  std::unordered_map<std::uint64_t, int> first_of_pair_;
+};
+
+/// Least change of the conductances that meets the rows: Newton's method on the dual, which is convex, one unknown λ
+/// per row and moment; G = G⁰ conductance_ratio(Kᵀ λ).
+class FaceFitter {
+ public:
+  explicit FaceFitter(const FaceSystem& system)
+      : system_(system), matrix_(system), lambda_(system.target().size(), 0.0) {}
+
+  /// Number of iterations.
+  int solve() {
+    const double enough = 1e-9 * largest_of(system_.target());
+    double dual = dual_at(lambda_);
+    std::vector<double> step, trial(lambda_.size());
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      const std::vector<double> residual = find_residual();
+      if (!(largest_of(residual) > enough)) return iteration;
+      matrix_.factorise(slopes_);
+      matrix_.solve(residual, step);
+      double slope = 0.0;
+      for (std::size_t n = 0; n < step.size(); ++n) slope += residual[n] * step[n];
+      for (double length = 1.0; length > 1e-8; length *= 0.5) {
+        for (std::size_t n = 0; n < step.size(); ++n) trial[n] = lambda_[n] + length * step[n];
+        const double next = dual_at(trial);
+        if (next > dual - 1e-4 * length * slope + 1e-13 * std::abs(dual)) continue;
+        lambda_ = trial;
+        dual = next;
+        break;
+      }
+    }
+    return most_iterations;
+  }
+
+  /// Points whose moments are missed.
+  std::vector<std::size_t> missed() const {
+    const std::vector<double> residual = find_residual();
+    std::vector<std::size_t> found;
+    for (std::size_t n = 0; n < residual.size(); ++n) {
+      const double miss = (residual[n] + system_.elasticity()[n] * lambda_[n]) * system_.scale(n);
+      const std::size_t point = system_.point_of(n / system_.moments());
+      if (!(std::abs(miss) < largest_miss * 2.0) && (found.empty() || found.back() != point)) found.push_back(point);
+    }
+    return found;
+  }
+
+  /// Per class: conductance over the stencil's.
+  std::vector<double> shares() const {
+    std::vector<double> result;
+    system_.gather(lambda_, result);
+    for (std::size_t e = 0; e < result.size(); ++e) {
+      result[e] = 1.0 + system_.strength(e) * (conductance_ratio(result[e]) - 1.0);
+    }
+    return result;
+  }
+
+ private:
+  double dual_at(const std::vector<double>& lambda) const {
+    system_.gather(lambda, tensions_);
+    double sum = 0.0;
+    for (std::size_t e = 0; e < tensions_.size(); ++e) {
+      sum += system_.times(e) * system_.weight(e) * (ratio_integral(tensions_[e]) - tensions_[e]);
+    }
+    for (std::size_t n = 0; n < lambda.size(); ++n) {
+      sum += lambda[n] * (0.5 * system_.elasticity()[n] * lambda[n] - system_.target()[n]);
+    }
+    return sum;
+  }
+
+  /// target − K (G − G⁰) − elastic term; fills the slopes, too.
+  std::vector<double> find_residual() const {
+    system_.gather(lambda_, tensions_);
+    slopes_.resize(tensions_.size());
+    std::vector<double> changes(tensions_.size()), residual;
+    for (std::size_t e = 0; e < tensions_.size(); ++e) {
+      changes[e] = system_.weight(e) * (conductance_ratio(tensions_[e]) - 1.0);
+      slopes_[e] = system_.weight(e) * ratio_slope(tensions_[e]);
+    }
+    system_.scatter(changes, residual);
+    for (std::size_t n = 0; n < residual.size(); ++n) {
+      residual[n] = system_.target()[n] - residual[n] - system_.elasticity()[n] * lambda_[n];
+    }
+    return residual;
+  }
+
+  const FaceSystem& system_;
+  FaceMatrix matrix_;
+  std::vector<double> lambda_;
+  mutable std::vector<double> tensions_, slopes_;
+};
+
+/// Shares of all bonds of the points near faces: cut ones, and those of the classes.
+std::vector<std::vector<double>> spread_shares(const Stencil& stencil, const FacePoints& points,
+                                               const FaceSystem& system, const std::vector<double>& of_class) {
+  const std::size_t count = stencil.entries.size();
+  std::vector<std::vector<double>> result(points.points().size());
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    const FacePoint& point = points.points()[n];
+    if (point.cut.empty()) continue;
+    result[n].assign(count, 1.0);
+    for (std::size_t k = 0; k < count; ++k) result[n][k] = 1.0 - point.cut[k];
+  }
+  for (std::size_t e = 0; e < of_class.size(); ++e) {
+    const FaceSystem::Member& first = system.members(e).front();
+    const GridIndex& from = points.points()[system.point_of(first.row)].index;
+    for (const auto& [member, wall_share] : system.classes().members(from, first.entry)) {
+      const std::int64_t n = points.find(member / count);
+      if (n < 0) continue;
+      std::vector<double>& own = result[static_cast<std::size_t>(n)];
+      if (own.empty()) own.assign(count, 1.0);
+      own[member % count] = of_class[e];
+    }
+  }
+  return result;
+}
+
+/// All bonds of a point exist and conduct alike.
+bool is_whole(const Body& body, const Stencil& stencil, const GridIndex& p) {
+  const MaterialIndex material = body.material_of[body.grid.number(p)];
+  return std::all_of(stencil.entries.begin(), stencil.entries.end(), [&](const StencilEntry& entry) {
+    return body.material_of_extended({p[0] + entry.offset[0], p[1] + entry.offset[1], p[2] + entry.offset[2]}) ==
+           material;
+  });
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> fit_faces(const Body& body, const Stencil& stencil, FacePoints& points,
+                                           FaceFitReport& report) {
+  for (FacePoint& point : points.points()) {
+    const bool touched = !point.cut.empty() || std::abs(point.volume - 1.0) > 1e-12;
+    if (!touched) continue;
+    ++report.rows;
+    point.has_row = is_whole(body, stencil, point.index);
+  }
+  for (int round = 1;; ++round) {
+    const FaceSystem system(body, stencil, points);
+    FaceFitter fitter(system);
+    report.iterations += fitter.solve();
+    const std::vector<std::size_t> missed = fitter.missed();
+    if (missed.empty() || round == most_rounds) {
+      for (std::size_t n = 0; n < points.points().size(); ++n) {
+        if (!points.points()[n].cut.empty() && !points.points()[n].has_row) report.cut.push_back(n);
+      }
+      return spread_shares(stencil, points, system, fitter.shares());
+    }
+    for (const std::size_t n : missed) points.points()[n].has_row = false;
+  }
+}
+
+}  // namespace peritherm

@@ -1,0 +1,223 @@
+#include "peritherm/discretisation/face_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "peritherm/geometry/vector.hpp"
+
+namespace peritherm {
+namespace {
+
+constexpr double off_face = 1e-6;  ///< spacings; a point on a face is moved this far to its own side
+constexpr double on_face = 1e-9;   ///< spacings
+constexpr int most_reflections = 6;
+constexpr double half_diagonal = 0.87;   ///< of a cube, rounded up
+constexpr double taking_distance = 1.2;  ///< spacings; from the middle of what is given to the points that take it
+
+Point place_of(const GridIndex& p) {
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+GridIndex sum_of(const GridIndex& p, const GridIndex& offset) {
+  return {p[0] + offset[0], p[1] + offset[1], p[2] + offset[2]};
+}
+
+/// Volume of the part of a unit cell about the origin that lies where normal · x > height: inclusion and exclusion
+/// over its corners.
+double cell_share_above(const Point& normal, double height) {
+  std::vector<double> slopes;
+  for (const double entry : normal) {
+    if (std::abs(entry) > 1e-5) slopes.push_back(std::abs(entry));
+  }
+  const auto count = static_cast<int>(slopes.size());
+  double half_width = 0.0, product = 1.0;
+  for (int k = 0; k < count; ++k) {
+    half_width += 0.5 * slopes[static_cast<std::size_t>(k)];
+    product *= slopes[static_cast<std::size_t>(k)] * (k + 1);
+  }
+  double sum = 0.0;
+  for (int corner = 0; corner < 1 << count; ++corner) {
+    double reach = half_width - height, sign = 1.0;
+    for (int k = 0; k < count; ++k) {
+      if ((corner >> k & 1) == 0) continue;
+      reach -= slopes[static_cast<std::size_t>(k)];
+      sign = -sign;
+    }
+    if (reach > 0.0) sum += sign * std::pow(reach, count);
+  }
+  return std::clamp(sum / product, 0.0, 1.0);
+}
+
+}  // namespace
+
+FacePoints::FacePoints(const Body& body, const Stencil& stencil, const std::vector<FacePiece>& pieces,
+                       double horizon_ratio)
+    : stencil_(stencil), pieces_(pieces), grid_(body.grid) {
+  // Bonds lead from points with cut bonds to others that have none.
+  collect(body, 2.0 * longest_offset(stencil) + 1.0);
+  const auto count = static_cast<std::int64_t>(points_.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t n = 0; n < count; ++n) look_along_bonds(static_cast<std::size_t>(n), horizon_ratio);
+  share_cells(body);
+}
+
+std::int64_t FacePoints::find(const GridIndex& index) const {
+  return grid_.contains(index) ? find(grid_.number(index)) : -1;
+}
+
+std::int64_t FacePoints::find(std::size_t number) const {
+  const auto found = std::lower_bound(numbers_.begin(), numbers_.end(), number);
+  return found != numbers_.end() && *found == number ? found - numbers_.begin() : -1;
+}
+
+void FacePoints::collect(const Body& body, double reach) {
+  std::vector<std::pair<std::size_t, int>> found;
+  for (std::size_t n = 0; n < pieces_.size(); ++n) {
+    const auto bounds = pieces_[n].bounds();
+    GridIndex low{}, high{};
+    for (int axis = 0; axis < grid_.dimension; ++axis) {
+      low[axis] = static_cast<int>(std::ceil(std::max(0.0, bounds[0][axis] - reach)));
+      high[axis] = static_cast<int>(std::floor(std::min(grid_.count(axis) - 1.0, bounds[1][axis] + reach)));
+    }
+    for (int z = low[2]; z <= high[2]; ++z) {
+      for (int y = low[1]; y <= high[1]; ++y) {
+        for (int x = low[0]; x <= high[0]; ++x) {
+          const Point place = place_of({x, y, z});
+          if (std::abs(pieces_[n].height(place)) > reach || pieces_[n].distance_to(place) > reach) continue;
+          const std::size_t number = grid_.number({x, y, z});
+          if (body.material_of[number] != no_material) found.emplace_back(number, static_cast<int>(n));
+        }
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  for (const auto& [number, piece] : found) {
+    if (numbers_.empty() || numbers_.back() != number) {
+      numbers_.push_back(number);
+      points_.emplace_back().index = grid_.index(number);
+      pieces_near_.emplace_back();
+    }
+    pieces_near_.back().push_back(piece);
+  }
+}
+
+Point FacePoints::off_faces(const Point& x, const std::vector<int>& pieces) const {
+  Point moved = x;
+  for (const int n : pieces) {
+    const FacePiece& piece = pieces_[static_cast<std::size_t>(n)];
+    if (std::abs(piece.height(x)) <= on_face && piece.touches(x, on_face)) {
+      moved = added(moved, scaled(piece.normal(), off_face));
+    }
+  }
+  return moved;
+}
+
+void FacePoints::look_along_bonds(std::size_t n, double horizon_ratio) {
+  FacePoint& point = points_[n];
+  const std::vector<int>& near = pieces_near_[n];
+  const Point own = place_of(point.index);
+  point.place = off_faces(own, near);
+  double nearest = HUGE_VAL;
+  for (const int k : near) {
+    const FacePiece& piece = pieces_[static_cast<std::size_t>(k)];
+    const double distance = piece.distance_to(point.place);
+    if (distance < nearest - 1e-9) {
+      nearest = distance;
+      point.frame = k;
+    }
+    point.near_tip = point.near_tip || piece.distance_to_tip(point.place) < horizon_ratio;
+  }
+  const std::size_t count = stencil_.entries.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point end = off_faces(place_of(sum_of(point.index, stencil_.entries[k].offset)), near);
+    double whole = 1.0;
+    bool parted = false;
+    for (const int m : near) {
+      const FacePiece& piece = pieces_[static_cast<std::size_t>(m)];
+      whole *= 1.0 - piece.cut(point.place, end).share;
+      parted = parted || piece.meets(point.place, end, 2.0 * horizon_ratio);
+    }
+    if (whole < 1.0) {
+      if (point.cut.empty()) point.cut.assign(count, 0.0);
+      point.cut[k] = 1.0 - whole;
+    }
+    if (parted) {
+      if (point.parted.empty()) point.parted.assign(count, 0);
+      point.parted[k] = 1;
+    }
+  }
+}
+
+Point FacePoints::unfolded_end(std::size_t n, int k) const {
+  const std::vector<int>& near = pieces_near_[n];
+  Point begin = points_[n].place;
+  Point end = off_faces(place_of(sum_of(points_[n].index, stencil_.entries[static_cast<std::size_t>(k)].offset)), near);
+  int last = -1;
+  for (int round = 0; round < most_reflections; ++round) {
+    double first = 2.0;
+    int met = -1;
+    for (const int m : near) {
+      if (m == last) continue;
+      const FacePiece::Cut cut = pieces_[static_cast<std::size_t>(m)].cut(begin, end);
+      if (cut.share > 0.0 && cut.place < first && cut.place > 1e-9) {
+        first = cut.place;
+        met = m;
+      }
+    }
+    if (met < 0) break;
+    begin = between(begin, end, first);
+    end = pieces_[static_cast<std::size_t>(met)].mirrored(end);
+    last = met;
+  }
+  return end;
+}
+
+/// The part of a cell that lies beyond the face belongs to points there.
+void FacePoints::share_cells(const Body& body) {
+  for (std::size_t n = 0; n < points_.size(); ++n) {
+    const FacePiece& piece = pieces_[static_cast<std::size_t>(points_[n].frame)];
+    const double height = piece.height(points_[n].place);
+    if (std::abs(height) >= half_diagonal) continue;
+    const Point foot = added(points_[n].place, scaled(piece.normal(), -height));
+    const double beyond = piece.share_at(foot) * cell_share_above(piece.normal(), std::abs(height));
+    if (beyond <= 1e-12) continue;
+    const Takers takers = find_takers(body, n);
+    double sum = 0.0;
+    for (const auto& [taker, weight] : takers) sum += weight;
+    if (takers.empty()) continue;
+    points_[n].volume -= beyond;
+    const double given = beyond * grid_.volume_share(points_[n].index) / sum;
+    for (const auto& [taker, weight] : takers) {
+      points_[taker].volume += given * weight / grid_.volume_share(points_[taker].index);
+    }
+  }
+}
+
+/// Points around the middle of the part beyond, which no other face parts from it.
+FacePoints::Takers FacePoints::find_takers(const Body& body, std::size_t n) const {
+  const FacePoint& point = points_[n];
+  const FacePiece& piece = pieces_[static_cast<std::size_t>(point.frame)];
+  const double height = piece.height(point.place), side = height >= 0.0 ? 1.0 : -1.0;
+  const Point middle = added(point.place, scaled(piece.normal(), -height - 0.25 * side));
+  Takers takers;
+  GridIndex reach{};
+  for (int axis = 0; axis < grid_.dimension; ++axis) reach[axis] = 2;
+  for (int z = -reach[2]; z <= reach[2]; ++z) {
+    for (int y = -reach[1]; y <= reach[1]; ++y) {
+      for (int x = -reach[0]; x <= reach[0]; ++x) {
+        const GridIndex q = sum_of(point.index, {x, y, z});
+        const Point there = off_faces(place_of(q), pieces_near_[n]);
+        const double weight = taking_distance - length(difference(there, middle));
+        if (weight <= 0.0 || piece.height(there) * side >= 0.0) continue;
+        const bool parted = std::any_of(pieces_near_[n].begin(), pieces_near_[n].end(), [&](int m) {
+          return m != point.frame && pieces_[static_cast<std::size_t>(m)].meets(middle, there, 0.0);
+        });
+        const std::int64_t taker = parted ? -1 : find(body.fold(q));
+        if (taker >= 0) takers.emplace_back(static_cast<std::size_t>(taker), weight);
+      }
+    }
+  }
+  return takers;
+}
+
+}  // namespace peritherm

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "peritherm/discretisation/body.hpp"
+#include "peritherm/discretisation/bond_classes.hpp"
+#include "peritherm/discretisation/face_pieces.hpp"
+#include "peritherm/discretisation/stencil.hpp"
+
+namespace peritherm {
+
+/// A point near mirroring faces, and what they make of its bonds.
+struct FacePoint {
+  GridIndex index;
+  Point place;               ///< in spacings, moved off the faces to its own side
+  int frame = 0;             ///< nearest piece: the coordinates along and across the face
+  bool near_tip = false;     ///< within a horizon of a tip
+  bool has_row = false;      ///< its bonds are to conduct as if they were mirrored
+  double volume = 1.0;       ///< share of a cell that lies on its side, with the pieces of others that it takes on
+  std::vector<double> cut;   ///< per entry of the stencil: share that is cut; empty if nothing is
+  std::vector<char> parted;  ///< per entry: the bond meets a face or the way ahead of a tip; empty if none does
+};
+
+/// The points near the faces of a body, ascending by number.
+class FacePoints {
+ public:
+  /// `pieces` must outlive it. `horizon_ratio`: horizon over spacing.
+  FacePoints(const Body& body, const Stencil& stencil, const std::vector<FacePiece>& pieces, double horizon_ratio);
+
+  const std::vector<FacePoint>& points() const { return points_; }
+  std::vector<FacePoint>& points() { return points_; }
+  /// Place in points() of a point of the body; −1: far from all faces.
+  std::int64_t find(const GridIndex& index) const;
+  std::int64_t find(std::size_t number) const;
+  /// Pieces that bonds of a point can reach.
+  const std::vector<int>& pieces_near(std::size_t point) const { return pieces_near_[point]; }
+  const std::vector<FacePiece>& pieces() const { return pieces_; }
+
+  /// Where bond k of a point ends, seen from its side of the faces: mirrored at each one it meets.
+  Point unfolded_end(std::size_t point, int k) const;
+
+ private:
+  void collect(const Body& body, double reach);
+  Point off_faces(const Point& x, const std::vector<int>& pieces) const;
+  void look_along_bonds(std::size_t point, double horizon_ratio);
+  void share_cells(const Body& body);
+  using Takers = std::vector<std::pair<std::size_t, double>>;  ///< places in points_, with weights
+  Takers find_takers(const Body& body, std::size_t point) const;
+
+  const Stencil& stencil_;
+  const std::vector<FacePiece>& pieces_;
+  const Grid grid_;
+  std::vector<FacePoint> points_;
+  std::vector<std::size_t> numbers_;
+  std::vector<std::vector<int>> pieces_near_;
+};
+
+}  // namespace peritherm

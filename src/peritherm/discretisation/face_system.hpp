@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "peritherm/discretisation/bond_classes.hpp"
+#include "peritherm/discretisation/face_rows.hpp"
+
+namespace peritherm {
+
+/// s, all products of s, and d² differences of a bond: 1 in 1-D, 3 in 2-D, 6 in 3-D.
+using FaceMoments = std::array<double, 6>;
+
+/// The coordinates of a point's face: s along it, d across.
+struct FaceFrame {
+  int dimension = 1;
+  Point normal{};
+  std::array<Point, 2> tangents{};
+  double height = 0.0;  ///< d of the point
+
+  int count() const { return dimension == 3 ? 6 : dimension == 2 ? 3 : 1; }
+  /// Does the bulk conduct this moment, as it does s² and d²?
+  bool is_square(int c) const { return dimension == 3 ? c >= 2 && c != 4 : c >= count() - dimension; }
+  FaceMoments operator()(const Point& step) const;
+};
+
+/// The linear equations of the fit: moments of the bonds of each point with a row, over classes of bonds, scaled.
+class FaceSystem {
+ public:
+  FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points);
+
+  std::size_t row_count() const { return rows_.size(); }
+  std::size_t class_count() const { return strength_.size(); }
+  std::size_t moments() const { return static_cast<std::size_t>(moments_); }
+  /// Number of row r's point in FacePoints.
+  std::size_t point_of(std::size_t r) const { return rows_[r].point; }
+
+  /// Right sides, over the scales of their rows; row by row, moment by moment.
+  const std::vector<double>& target() const { return target_; }
+  /// What a scaled residual of one means in the bulk's second moment, 2.
+  double scale(std::size_t n) const { return scale_[n] * rows_[n / moments()].wall_share; }
+  /// Elastic terms that keep the fit solvable where rows contradict each other.
+  const std::vector<double>& elasticity() const { return elasticity_; }
+
+  /// Conductance of a class before the fit as far as it may change, and how many bonds it stands for.
+  double weight(std::size_t e) const;
+  double times(std::size_t e) const { return times_[e]; }
+  /// Share of a class's conductance that may change.
+  double strength(std::size_t e) const { return strength_[e]; }
+
+  /// result[e] = Σ_r K_re λ_r / times(e)
+  void gather(const std::vector<double>& lambda, std::vector<double>& result) const;
+  /// result = K values
+  void scatter(const std::vector<double>& values, std::vector<double>& result) const;
+
+  /// One bond of a class as its row sees it.
+  struct Member {
+    std::uint32_t row;
+    std::int32_t entry;  ///< of the stencil
+  };
+  std::span<const Member> members(std::size_t e) const {
+    return std::span(members_).subspan(member_begin_[e], member_begin_[e + 1] - member_begin_[e]);
+  }
+  /// Column of K that a member makes, over the scales of its row.
+  FaceMoments scaled_moments(const Member& member) const;
+
+  const BondClasses& classes() const { return classes_; }
+
+ private:
+  struct Row {
+    std::size_t point;
+    FaceFrame frame;
+    std::size_t begin;  ///< into bonds_
+    double wall_share;  ///< of its cell
+  };
+  struct RowBond {
+    std::int32_t number;  ///< of the class
+    std::int32_t entry;
+  };
+
+  void add_row(const Body& body, std::size_t n);
+  std::int32_t class_of(std::size_t n, int k);
+  void find_members();
+  void scale_rows();
+  std::size_t row_end(std::size_t r) const { return r + 1 < rows_.size() ? rows_[r + 1].begin : bonds_.size(); }
+  FaceMoments moments_of(const Row& row, int entry) const;
+
+  const Stencil& stencil_;
+  const FacePoints& points_;
+  OffsetTable table_;
+  BondClasses classes_;
+  std::vector<double> weights_;  ///< per entry of the stencil, Σ ½ w ξ_x² = 1
+  int moments_ = 1;
+  std::vector<Row> rows_;
+  std::vector<RowBond> bonds_;
+  std::unordered_map<std::uint64_t, std::int32_t> number_of_;
+  std::vector<double> strength_, times_;
+  std::vector<std::size_t> member_begin_;
+  std::vector<Member> members_;
+  std::vector<double> target_, scale_, elasticity_;
+};
+
+}  // namespace peritherm
