@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "peritherm/discretisation/face_system.hpp"
@@ -120,12 +121,75 @@ class FaceMatrix {
   std::unordered_map<std::uint64_t, int> first_of_pair_;
 };
 
+/// The same equations by conjugate gradients: in 3-D factors fill up.
+class FaceGradients {
+ public:
+  explicit FaceGradients(const FaceSystem& system) : system_(system) {}
+
+  void solve(const std::vector<double>& slopes, const std::vector<double>& right, std::vector<double>& solution) {
+    find_diagonal(slopes);
+    std::vector<double> residual = right, preconditioned(right.size()), direction, image;
+    solution.assign(right.size(), 0.0);
+    double square = precondition(residual, preconditioned);
+    const double enough = 1e-12 * square;
+    direction = preconditioned;
+    for (int n = 0; n < most_gradients && square > enough; ++n) {
+      apply(slopes, direction, image);
+      double curvature = 0.0;
+      for (std::size_t k = 0; k < image.size(); ++k) curvature += direction[k] * image[k];
+      for (std::size_t k = 0; k < image.size(); ++k) {
+        solution[k] += square / curvature * direction[k];
+        residual[k] -= square / curvature * image[k];
+      }
+      const double next = precondition(residual, preconditioned);
+      for (std::size_t k = 0; k < image.size(); ++k) direction[k] = preconditioned[k] + next / square * direction[k];
+      square = next;
+    }
+  }
+
+ private:
+  static constexpr int most_gradients = 200;
+
+  void find_diagonal(const std::vector<double>& slopes) {
+    diagonal_ = system_.elasticity();
+    for (std::size_t e = 0; e < system_.class_count(); ++e) {
+      for (const FaceSystem::Member& member : system_.members(e)) {
+        const FaceMoments m = system_.scaled_moments(member);
+        for (std::size_t c = 0; c < system_.moments(); ++c) {
+          diagonal_[member.row * system_.moments() + c] += slopes[e] / system_.times(e) * m[c] * m[c];
+        }
+      }
+    }
+  }
+
+  double precondition(const std::vector<double>& residual, std::vector<double>& result) const {
+    double product = 0.0;
+    for (std::size_t k = 0; k < residual.size(); ++k) {
+      result[k] = residual[k] / diagonal_[k];
+      product += residual[k] * result[k];
+    }
+    return product;
+  }
+
+  void apply(const std::vector<double>& slopes, const std::vector<double>& values, std::vector<double>& result) {
+    system_.gather(values, tensions_);
+    for (std::size_t e = 0; e < tensions_.size(); ++e) tensions_[e] *= slopes[e];
+    system_.scatter(tensions_, result);
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] += system_.elasticity()[k] * values[k];
+  }
+
+  const FaceSystem& system_;
+  std::vector<double> diagonal_, tensions_;
+};
+
 /// Least change of the conductances that meets the rows: Newton's method on the dual, which is convex, one unknown λ
 /// per row and moment; G = G⁰ conductance_ratio(Kᵀ λ).
 class FaceFitter {
  public:
   explicit FaceFitter(const FaceSystem& system)
-      : system_(system), matrix_(system), lambda_(system.target().size(), 0.0) {}
+      : system_(system), gradients_(system), lambda_(system.target().size(), 0.0) {
+    if (!in_space()) matrix_.emplace(system);
+  }
 
   /// Number of iterations.
   int solve() {
@@ -135,8 +199,7 @@ class FaceFitter {
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       const std::vector<double> residual = find_residual();
       if (!(largest_of(residual) > enough)) return iteration;
-      matrix_.factorise(slopes_);
-      matrix_.solve(residual, step);
+      find_step(residual, step);
       double slope = 0.0;
       for (std::size_t n = 0; n < step.size(); ++n) slope += residual[n] * step[n];
       for (double length = 1.0; length > 1e-8; length *= 0.5) {
@@ -174,6 +237,14 @@ class FaceFitter {
   }
 
  private:
+  bool in_space() const { return system_.moments() == 6; }
+
+  void find_step(const std::vector<double>& residual, std::vector<double>& step) {
+    if (in_space()) return gradients_.solve(slopes_, residual, step);
+    matrix_->factorise(slopes_);
+    matrix_->solve(residual, step);
+  }
+
   double dual_at(const std::vector<double>& lambda) const {
     system_.gather(lambda, tensions_);
     double sum = 0.0;
@@ -203,7 +274,8 @@ class FaceFitter {
   }
 
   const FaceSystem& system_;
-  FaceMatrix matrix_;
+  std::optional<FaceMatrix> matrix_;
+  FaceGradients gradients_;
   std::vector<double> lambda_;
   mutable std::vector<double> tensions_, slopes_;
 };

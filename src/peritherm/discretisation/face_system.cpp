@@ -59,14 +59,17 @@ FaceMoments FaceSystem::scaled_moments(const Member& member) const {
 
 void FaceSystem::gather(const std::vector<double>& lambda, std::vector<double>& result) const {
   result.resize(class_count());
+  std::vector<double> coefficients(lambda.size());
+  for (std::size_t n = 0; n < lambda.size(); ++n) coefficients[n] = scale_[n] > 0.0 ? lambda[n] / scale_[n] : 0.0;
   const auto count = static_cast<std::int64_t>(class_count());
 #pragma omp parallel for schedule(static)
   for (std::int64_t number = 0; number < count; ++number) {
     const auto e = static_cast<std::size_t>(number);
     double sum = 0.0;
     for (const Member& member : members(e)) {
-      const FaceMoments m = scaled_moments(member);
-      for (std::size_t c = 0; c < moments(); ++c) sum += lambda[member.row * moments() + c] * m[c];
+      const FaceMoments m = moments_of(rows_[member.row], member.entry);
+      const double* const own = coefficients.data() + member.row * moments();
+      for (std::size_t c = 0; c < moments(); ++c) sum += own[c] * m[c];
     }
     result[e] = sum / times_[e];
   }
