@@ -154,5 +154,52 @@ TEST(MirroredCrack, has_second_order_at_any_angle) {
   }
 }
 
+/// A hot square inside a ring in a cold plate, insulated outside.
+Problem hot_ring(const std::vector<Coordinates>& ring) {
+  Problem problem = unit_body(2, 24, 3.0);
+  problem.nonlocality.faces = Faces::mirror;
+  problem.initial.temperature = Profile("abs(x - 0.5) < 0.25 && abs(y - 0.5) < 0.25");
+  problem.cracks.emplace_back().points = ring;
+  problem.time.integrator = RungeKuttaLegendre{1e-6};
+  return problem;
+}
+
+TEST(MirroredCrack, lets_nothing_out_of_a_ring_however_it_is_closed) {
+  const std::vector<Coordinates> open{{0.26, 0.26}, {0.74, 0.26}, {0.74, 0.74}, {0.26, 0.74}};
+  for (const Coordinates& last : {Coordinates{0.26, 0.26}, {0.26, 0.26 + 1e-12}, {0.26, 0.24}}) {
+    std::vector<Coordinates> ring = open;
+    ring.push_back(last);
+    March run(hot_ring(ring));
+    run.advance_to(0.5);
+    // The plate would be at 0.25 by now; rounding of some thousand evaluations.
+    EXPECT_NEAR(run.at({0.5, 0.5}), 1.0, 1e-10) << last[1];
+  }
+}
+
+TEST(MirroredCrack, keeps_heat_beside_other_materials_and_where_bonds_break) {
+  for (const bool breaks : {false, true}) {
+    Problem problem = unit_body(2, 20, 3.0);
+    problem.nonlocality.faces = Faces::mirror;
+    problem.initial.temperature = Profile("y < 0.5 ? 100*x : 0");
+    problem.cracks.emplace_back().points = {{0.2, 0.53}, {0.8, 0.56}};
+    if (breaks) {
+      problem.damage.emplace();
+      problem.damage->critical_elongation = 0.1;
+      problem.damage->transmission = 0.5;
+      problem.damage->displacement = {Profile(0.0), Profile("y > 0.55 ? 1 : -1")};
+    } else {
+      problem.materials["dense"] = {1.0, 50.0, 1.0};
+      problem.body.regions.push_back({"dense", Box{{0.0, 0.5}, {1.0, 1.0}}});
+    }
+    problem.time.integrator = RungeKuttaLegendre{1e-6};
+    March run(problem);
+    const double before = run.stored_heat();
+    run.advance_to(0.01);
+    EXPECT_NEAR(run.stored_heat(), before, 1e-11 * before) << breaks;
+    // Half of the plate at 50 on the average.
+    EXPECT_NEAR(before, 25.0, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace peritherm

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "peritherm/discretisation/body.hpp"
@@ -23,19 +22,17 @@ struct BondPath {
   std::vector<Crossing> crossings;  ///< at most one per crack and mirror image, and one by elongation; earliest first
 };
 
-/// What a bond keeps of its conductance: the product of the transmissions of the cracks that have passed it, or that of
-/// its elongation if this is less. Displacements that open a crack break the bonds which it has cut already, and one
-/// gap must not count twice.
+/// What a bond keeps of its conductance: what mirroring faces make of it, times the product of the transmissions of the
+/// cracks that have passed it, or that of its elongation if this is less. Displacements that open a crack break the
+/// bonds which it has cut already, and one gap must not count twice.
 class RemainingShare {
  public:
-  explicit RemainingShare(double face_share = 1.0) : cracks_(face_share) {}
-  void pass(const Crossing& crossing) {
-    crossing.by_elongation ? void(broken_ = crossing.transmission) : void(cracks_ *= crossing.transmission);
-  }
-  double value() const { return std::min(cracks_, broken_); }
+  explicit RemainingShare(double face_share = 1.0) : face_share_(face_share) {}
+  void pass(const Crossing& crossing) { (crossing.by_elongation ? broken_ : cracks_) *= crossing.transmission; }
+  double value() const { return face_share_ * std::min(cracks_, broken_); }
 
  private:
-  double cracks_, broken_ = std::numeric_limits<double>::infinity();
+  double face_share_, cracks_ = 1.0, broken_ = 1.0;
 };
 
 /// The cracks that reach into some part of the body, and with which of their parts.

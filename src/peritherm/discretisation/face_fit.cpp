@@ -202,14 +202,17 @@ class FaceFitter {
       find_step(residual, step);
       double slope = 0.0;
       for (std::size_t n = 0; n < step.size(); ++n) slope += residual[n] * step[n];
+      bool moved = false;
       for (double length = 1.0; length > 1e-8; length *= 0.5) {
         for (std::size_t n = 0; n < step.size(); ++n) trial[n] = lambda_[n] + length * step[n];
         const double next = dual_at(trial);
-        if (next > dual - 1e-4 * length * slope + 1e-13 * std::abs(dual)) continue;
+        if (!(next <= dual - 1e-4 * length * slope + 1e-13 * std::abs(dual))) continue;
         lambda_ = trial;
         dual = next;
+        moved = true;
         break;
       }
+      if (!moved) return iteration;
     }
     return most_iterations;
   }
@@ -305,15 +308,6 @@ std::vector<std::vector<double>> spread_shares(const Stencil& stencil, const Fac
   return result;
 }
 
-/// All bonds of a point exist and conduct alike.
-bool is_whole(const Body& body, const Stencil& stencil, const GridIndex& p) {
-  const MaterialIndex material = body.material_of[body.grid.number(p)];
-  return std::all_of(stencil.entries.begin(), stencil.entries.end(), [&](const StencilEntry& entry) {
-    return body.material_of_extended({p[0] + entry.offset[0], p[1] + entry.offset[1], p[2] + entry.offset[2]}) ==
-           material;
-  });
-}
-
 }  // namespace
 
 std::vector<std::vector<double>> fit_faces(const Body& body, const Stencil& stencil, FacePoints& points,
@@ -322,7 +316,7 @@ std::vector<std::vector<double>> fit_faces(const Body& body, const Stencil& sten
     const bool touched = !point.cut.empty() || std::abs(point.volume - 1.0) > 1e-12;
     if (!touched) continue;
     ++report.rows;
-    point.has_row = is_whole(body, stencil, point.index);
+    point.has_row = point.whole;
   }
   for (int round = 1;; ++round) {
     const FaceSystem system(body, stencil, points);
@@ -331,7 +325,8 @@ std::vector<std::vector<double>> fit_faces(const Body& body, const Stencil& sten
     const std::vector<std::size_t> missed = fitter.missed();
     if (missed.empty() || round == most_rounds) {
       for (std::size_t n = 0; n < points.points().size(); ++n) {
-        if (!points.points()[n].cut.empty() && !points.points()[n].has_row) report.cut.push_back(n);
+        const bool gives_way = std::binary_search(missed.begin(), missed.end(), n);
+        if (!points.points()[n].cut.empty() && (gives_way || !points.points()[n].has_row)) report.cut.push_back(n);
       }
       return spread_shares(stencil, points, system, fitter.shares());
     }

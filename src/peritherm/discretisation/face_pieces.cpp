@@ -184,6 +184,8 @@ struct PieceDraft {
   std::vector<bool> joined;
 };
 
+constexpr double same_place = 1e-3;  ///< spacings; no grid tells such places apart
+
 /// Index coordinates: those of a point of the grid are its indices.
 Point in_spacings(const Grid& grid, const Point& x) {
   Point place{};
@@ -210,6 +212,9 @@ std::vector<Point> clipped_to_box(const Body& body, std::vector<Point> corners, 
     }
     corners = std::move(inside);
   }
+  const auto same = [](const Point& a, const Point& b) { return length(difference(a, b)) < on_piece; };
+  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
+  while (closed && corners.size() > 1 && same(corners.front(), corners.back())) corners.pop_back();
   return corners;
 }
 
@@ -226,7 +231,7 @@ void append_drafts(const Body& body, std::size_t crack, double time, std::vector
     drafts.push_back({crack, std::move(corners), surface.normal_of(0), radius, std::move(joined)});
     return;
   }
-  const bool closed = corners.front() == corners.back();
+  const bool closed = length(difference(corners.front(), corners.back())) < same_place;
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
     std::vector<Point> segment = clipped_to_box(body, {corners[k], corners[k + 1]}, false);
     if (segment.size() < 2 || !(length(difference(segment[1], segment[0])) > 1e-3)) continue;
@@ -241,7 +246,8 @@ void append_drafts(const Body& body, std::size_t crack, double time, std::vector
 /// Where an end is on a wall, on another crack or beyond, the crack has no tip.
 class TipSearch {
  public:
-  TipSearch(const Body& body, const std::vector<PieceDraft>& drafts) : body_(body), drafts_(drafts) {
+  TipSearch(const Body& body, const std::vector<PieceDraft>& drafts, std::span<const double> shifts)
+      : body_(body), drafts_(drafts), shifts_(shifts) {
     for (const PieceDraft& draft : drafts) {
       pieces_.emplace_back(body.grid.dimension, draft.corners, draft.normal, draft.radius, draft.joined, 0.0);
     }
@@ -256,7 +262,7 @@ class TipSearch {
     const std::vector<Point>& corners = drafts_[n].corners;
     for (std::size_t k = 0; k < found.size() && body_.grid.dimension > 1; ++k) {
       if (body_.grid.dimension == 2) {
-        found[k] = found[k] || ends_on_something(n, corners[k]);
+        found[k] = found[k] || ends_on_something(n, corners[k]) || overshoots(n, corners[k], corners[1 - k]);
         continue;
       }
       const Point& next = corners[(k + 1) % corners.size()];
@@ -270,20 +276,35 @@ class TipSearch {
   const Point& upper() const { return upper_; }
 
  private:
-  static constexpr double close = 1e-3;  ///< spacings; no grid tells such ends apart
-
   bool ends_on_something(std::size_t n, const Point& x) const {
     for (int axis = 0; axis < body_.grid.dimension; ++axis) {
-      if (x[axis] < lower_[axis] + close || x[axis] > upper_[axis] - close) return true;
+      if (x[axis] < lower_[axis] + same_place || x[axis] > upper_[axis] - same_place) return true;
     }
     for (std::size_t other = 0; other < pieces_.size(); ++other) {
-      if (drafts_[other].crack != drafts_[n].crack && pieces_[other].touches(x, close)) return true;
+      if (!are_neighbours(n, other) && pieces_[other].touches(x, same_place)) return true;
+    }
+    return false;
+  }
+
+  /// Pieces of one polyline that share a corner, or are the same.
+  bool are_neighbours(std::size_t n, std::size_t other) const {
+    const std::size_t between_them = n > other ? n - other : other - n;
+    return between_them == 0 || (between_them == 1 && drafts_[n].crack == drafts_[other].crack);
+  }
+
+  /// An end that juts out beyond another piece by less than tips are pulled back by would open the junction.
+  bool overshoots(std::size_t n, const Point& end, const Point& inner) const {
+    const double reach = std::max(0.0, shifts_[drafts_[n].crack]) + 1.0;
+    const Point before = between(end, inner, std::min(1.0, reach / length(difference(inner, end))));
+    for (std::size_t other = 0; other < pieces_.size(); ++other) {
+      if (!are_neighbours(n, other) && pieces_[other].meets(before, end, 0.0)) return true;
     }
     return false;
   }
 
   const Body& body_;
   const std::vector<PieceDraft>& drafts_;
+  std::span<const double> shifts_;
   std::vector<FacePiece> pieces_;
   Point lower_{}, upper_{};
 };
@@ -311,13 +332,14 @@ void append_images(const Body& body, const TipSearch& box, double reach, std::ve
 std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double> shifts, double reach, double time) {
   std::vector<PieceDraft> drafts;
   for (std::size_t crack = 0; crack < body.cracks.size(); ++crack) append_drafts(body, crack, time, drafts);
-  const TipSearch search(body, drafts);
+  const TipSearch search(body, drafts, shifts);
   std::vector<FacePiece> pieces;
   for (std::size_t n = 0; n < drafts.size(); ++n) {
     const PieceDraft& draft = drafts[n];
     if (shifts[draft.crack] < 0.0) continue;
     pieces.emplace_back(body.grid.dimension, draft.corners, draft.normal, draft.radius, search.joined(n),
                         shifts[draft.crack], 1.0 - body.cracks[draft.crack].transmission());
+    pieces.back().set_crack(draft.crack);
     pieces.back().confine(search.lower(), search.upper());
   }
   append_images(body, search, reach, pieces);

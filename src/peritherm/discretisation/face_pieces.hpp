@@ -45,6 +45,9 @@ class FacePiece {
 
   /// The image across the wall at `wall` along an axis.
   FacePiece image(int axis, double wall) const;
+  /// Number of the crack in the body.
+  void set_crack(std::size_t crack) { crack_ = crack; }
+  std::size_t crack() const { return crack_; }
   /// The piece acts inside this box only: beyond it lie its images.
   void confine(const Point& lower, const Point& upper);
   /// Is x on the piece, or as good as on it?
@@ -73,6 +76,7 @@ class FacePiece {
   std::array<Point, 2> tangents_{};
   double radius_;
   double length_ = 0.0;  ///< 2-D
+  std::size_t crack_ = 0;
   std::vector<bool> joined_;
   double shift_, strength_;
   std::vector<std::array<double, 2>> plane_corners_;  ///< 3-D

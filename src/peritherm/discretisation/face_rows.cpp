@@ -48,6 +48,15 @@ double cell_share_above(const Point& normal, double height) {
   return std::clamp(sum / product, 0.0, 1.0);
 }
 
+/// All bonds of a point exist and conduct alike.
+bool is_whole(const Body& body, const Stencil& stencil, const GridIndex& p) {
+  const MaterialIndex material = body.material_of[body.grid.number(p)];
+  return std::all_of(stencil.entries.begin(), stencil.entries.end(), [&](const StencilEntry& entry) {
+    return body.material_of_extended({p[0] + entry.offset[0], p[1] + entry.offset[1], p[2] + entry.offset[2]}) ==
+           material;
+  });
+}
+
 }  // namespace
 
 FacePoints::FacePoints(const Body& body, const Stencil& stencil, const std::vector<FacePiece>& pieces,
@@ -57,7 +66,7 @@ FacePoints::FacePoints(const Body& body, const Stencil& stencil, const std::vect
   collect(body, 2.0 * longest_offset(stencil) + 1.0);
   const auto count = static_cast<std::int64_t>(points_.size());
 #pragma omp parallel for schedule(dynamic, 64)
-  for (std::int64_t n = 0; n < count; ++n) look_along_bonds(static_cast<std::size_t>(n), horizon_ratio);
+  for (std::int64_t n = 0; n < count; ++n) look_along_bonds(body, static_cast<std::size_t>(n), horizon_ratio);
   share_cells(body);
 }
 
@@ -112,8 +121,9 @@ Point FacePoints::off_faces(const Point& x, const std::vector<int>& pieces) cons
   return moved;
 }
 
-void FacePoints::look_along_bonds(std::size_t n, double horizon_ratio) {
+void FacePoints::look_along_bonds(const Body& body, std::size_t n, double horizon_ratio) {
   FacePoint& point = points_[n];
+  point.whole = is_whole(body, stencil_, point.index);
   const std::vector<int>& near = pieces_near_[n];
   const Point own = place_of(point.index);
   point.place = off_faces(own, near);
@@ -177,7 +187,7 @@ void FacePoints::share_cells(const Body& body) {
   for (std::size_t n = 0; n < points_.size(); ++n) {
     const FacePiece& piece = pieces_[static_cast<std::size_t>(points_[n].frame)];
     const double height = piece.height(points_[n].place);
-    if (std::abs(height) >= half_diagonal) continue;
+    if (std::abs(height) >= half_diagonal || !points_[n].whole) continue;
     const Point foot = added(points_[n].place, scaled(piece.normal(), -height));
     const double beyond = piece.share_at(foot) * cell_share_above(piece.normal(), std::abs(height));
     if (beyond <= 1e-12) continue;
@@ -213,7 +223,8 @@ FacePoints::Takers FacePoints::find_takers(const Body& body, std::size_t n) cons
           return m != point.frame && pieces_[static_cast<std::size_t>(m)].meets(middle, there, 0.0);
         });
         const std::int64_t taker = parted ? -1 : find(body.fold(q));
-        if (taker >= 0) takers.emplace_back(static_cast<std::size_t>(taker), weight);
+        if (taker >= 0 && points_[static_cast<std::size_t>(taker)].whole)
+          takers.emplace_back(static_cast<std::size_t>(taker), weight);
       }
     }
   }

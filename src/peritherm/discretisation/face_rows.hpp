@@ -17,6 +17,7 @@ struct FacePoint {
   Point place;               ///< in spacings, moved off the faces to its own side
   int frame = 0;             ///< nearest piece: the coordinates along and across the face
   bool near_tip = false;     ///< within a horizon of a tip
+  bool whole = false;        ///< all of its bonds exist and conduct alike
   bool has_row = false;      ///< its bonds are to conduct as if they were mirrored
   double volume = 1.0;       ///< share of a cell that lies on its side, with the pieces of others that it takes on
   std::vector<double> cut;   ///< per entry of the stencil: share that is cut; empty if nothing is
@@ -44,7 +45,7 @@ class FacePoints {
  private:
   void collect(const Body& body, double reach);
   Point off_faces(const Point& x, const std::vector<int>& pieces) const;
-  void look_along_bonds(std::size_t point, double horizon_ratio);
+  void look_along_bonds(const Body& body, std::size_t point, double horizon_ratio);
   void share_cells(const Body& body);
   using Takers = std::vector<std::pair<std::size_t, double>>;  ///< places in points_, with weights
   Takers find_takers(const Body& body, std::size_t point) const;

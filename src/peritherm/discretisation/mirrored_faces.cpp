@@ -60,6 +60,15 @@ class TipSpreader {
   std::vector<std::vector<double>>& shares_;
 };
 
+/// Tips of images lie outside. In spacings.
+bool is_inside(const Grid& grid, const Point& place) {
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    const double lower = -grid.first_depth();
+    if (place[axis] < lower || place[axis] > lower + grid.cells[axis]) return false;
+  }
+  return true;
+}
+
 /// The shares of all points near faces, those of bonds that no face changes among them.
 std::vector<std::vector<double>> find_shares(const Body& body, const Stencil& stencil, double horizon_ratio,
                                              FacePoints& points, FaceFitReport& report) {
@@ -68,7 +77,7 @@ std::vector<std::vector<double>> find_shares(const Body& body, const Stencil& st
   for (const FacePiece& piece : points.pieces()) {
     for (const FacePiece::Tip& tip : piece.tips()) {
       const GridIndex base{static_cast<int>(std::floor(tip.place[0])), static_cast<int>(std::floor(tip.place[1])), 0};
-      if (body.fold(base) != base) continue;
+      if (!body.cracks[piece.crack()].adjusts_tips() || !is_inside(body.grid, tip.place)) continue;
       const TipPlace place{tip.place[0] - base[0], tip.place[1] - base[1],
                            std::atan2(tip.direction[1], tip.direction[0]), tip.at_end};
       spreader.add(base, calibrate_tip(stencil, horizon_ratio, place, piece.shift()), piece.strength());
@@ -134,9 +143,8 @@ MirroredFaces mirror_faces(const Body& body, const Stencil& stencil, double hori
     for (std::size_t k = 0; k < shares[n].size(); ++k) {
       if (shares[n][k] == 1.0) continue;
       row.emplace_back(faces.number_of(stencil.entries[k].offset), shares[n][k]);
-      if (!point.cut.empty() && point.cut[k] > 0.0) continue;
-      faces.lowest_ = std::min(faces.lowest_, shares[n][k]);
       faces.highest_ = std::max(faces.highest_, shares[n][k]);
+      if (point.cut.empty() || point.cut[k] == 0.0) faces.lowest_ = std::min(faces.lowest_, shares[n][k]);
     }
     std::sort(row.begin(), row.end());
     for (const auto& [bond, share] : row) {

@@ -13,7 +13,11 @@
 namespace peritherm {
 namespace {
 
-constexpr double patch_radius = 9.0;  ///< horizons; commensurate lines of points repeat after that many
+/// Radius of a patch in horizons. Commensurate lines of points repeat after some 27 spacings.
+double patch_radius(double horizon_ratio) { return std::clamp(40.0 / horizon_ratio, 5.0, 9.0); }
+
+/// A bond changes by less than this share of what it conducts, or the patch has too few bonds to be trusted.
+constexpr double largest_change = 1.0;
 constexpr int modes = 3;
 constexpr int newton_rounds = 4;
 
@@ -35,7 +39,7 @@ Body make_patch(const TipPlace& tip, int half) {
 class TipPatch {
  public:
   TipPatch(const Stencil& stencil, double horizon_ratio, const TipPlace& tip, double shift)
-      : stencil_(stencil), ratio_(horizon_ratio), radius_(patch_radius * horizon_ratio) {
+      : stencil_(stencil), ratio_(horizon_ratio), radius_(patch_radius(horizon_ratio) * horizon_ratio) {
     half_ = static_cast<int>(std::ceil(radius_)) + 2 * stencil.radius + 2;
     width_ = 2 * half_ + 1;
     double second_moment = 0.0;
@@ -102,8 +106,8 @@ class TipPatch {
   static bool is_zero(double across) { return std::abs(across) < 1e-9; }
 
   /// 1 near the tip and 0 at the rim, smooth, so that the rim's own errors count nothing.
-  static double window_at(double horizons) {
-    const double u = std::clamp((horizons - 1.2) / (patch_radius - 1.7), 0.0, 1.0);
+  double window_at(double horizons) const {
+    const double u = std::clamp((horizons - 1.2) / (patch_radius(ratio_) - 1.7), 0.0, 1.0);
     return 1.0 - u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
   }
 
@@ -233,12 +237,12 @@ class TipPatch {
     }
     for (int a = 0; a < modes; ++a) equations[a][modes] += force[a];
     const std::array<double, modes> strengths = solve(equations);
-    // Horizons of hardly more than a spacing leave too few bonds near the tip.
-    if (!std::all_of(strengths.begin(), strengths.end(), [](double s) { return std::isfinite(s); })) return false;
+    std::vector<double> next(near_.size(), 0.0);
     for (std::size_t b = 0; b < near_.size(); ++b) {
-      changes[b] = 0.0;
-      for (int a = 0; a < modes; ++a) changes[b] += near_[b].conductance * strengths[a] * products[b][a];
+      for (int a = 0; a < modes; ++a) next[b] += near_[b].conductance * strengths[a] * products[b][a];
+      if (!(std::abs(next[b]) < largest_change * near_[b].conductance)) return false;
     }
+    changes = std::move(next);
     return true;
   }
 
@@ -292,17 +296,14 @@ class KnownTips {
   std::map<Key, std::vector<TipChange>> known_;
 };
 
-/// Places that differ by less than this share of a spacing count as one.
-double rounded(double x) { return std::round(x * 1e6) * 1e-6; }
-
 }  // namespace
 
 std::vector<TipChange> calibrate_tip(const Stencil& stencil, double horizon_ratio, const TipPlace& tip, double shift) {
   static KnownTips known;
-  KnownTips::Key key{horizon_ratio, rounded(tip.x), rounded(tip.y), rounded(tip.angle), tip.at_end ? 1.0 : 0.0, shift};
+  KnownTips::Key key{horizon_ratio, tip.x, tip.y, tip.angle, tip.at_end ? 1.0 : 0.0, shift};
   double largest = 0.0;
   for (const StencilEntry& entry : stencil.entries) largest = std::max(largest, entry.conductance);
-  for (const StencilEntry& entry : stencil.entries) key.push_back(rounded(entry.conductance / largest));
+  for (const StencilEntry& entry : stencil.entries) key.push_back(entry.conductance / largest);
   if (auto found = known.find(key)) return *found;
   std::vector<TipChange> changes = TipPatch(stencil, horizon_ratio, tip, shift).calibrate();
   known.add(key, changes);

@@ -62,6 +62,7 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     across_ = cross(normal_, along_);
     for (const Point& point : points_) plane_corners_.push_back(in_plane(point));
   }
+  adjusts_tips_ = !crack.tip_shift || std::holds_alternative<AutomaticTipShift>(*crack.tip_shift);
   mirrors_ = crack.faces == Faces::mirror && !changes_in_time();
   measure_segments();
   lower_ = upper_ = points_[0];

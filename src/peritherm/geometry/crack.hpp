@@ -149,6 +149,8 @@ class CrackSurface {
   double transmission() const { return transmission_; }
   /// Bonds that it passes are mirrored, and not only cut.
   bool mirrors() const { return mirrors_; }
+  /// Bonds around its tips are adjusted to their place on the grid.
+  bool adjusts_tips() const { return adjusts_tips_; }
   /// True if bonds are cut after the start of the run.
   bool changes_in_time() const { return tip_speed_ > 0.0 || start_time_ > 0.0; }
 
@@ -168,6 +170,7 @@ class CrackSurface {
   double start_time_;
   double tip_speed_ = 0.0;  ///< 0: all at once
   bool mirrors_ = false;
+  bool adjusts_tips_ = true;
   std::vector<Point> points_;                         ///< corners; of a disc: its centre only
   bool closed_ = false;                               ///< 2-D: the last point is the first
   std::vector<double> arc_;                           ///< 2-D: length from the first point to each corner

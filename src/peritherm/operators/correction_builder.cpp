@@ -146,7 +146,7 @@ class BlockBuilder {
     const auto mirrored = [&](const GridIndex& offset) {
       return !faces.bonds.empty() && faces.find(body.faces.number_of(offset)).has_value();
     };
-    const bool parted = !faces.bonds.empty() && body.faces.volume(point) != 1.0;
+    const bool parted = !body.faces.empty() && body.faces.volume(point) != 1.0;
     for (std::size_t k = 0; k < plan_.stencil.entries.size(); ++k) {
       const auto& [offset, conductance] = plan_.stencil.entries[k];
       const GridIndex q{p[0] + offset[0], p[1] + offset[1], p[2] + offset[2]};

@@ -67,6 +67,8 @@ void refuse_in_two_fields(Checker& checker) {
   refuse_key("calibration", options.calibration.has_value());
   refuse_key("partial_volumes", options.partial_volumes.has_value());
   refuse_key("self_term", options.self_term.has_value());
+  refuse_key("faces", options.faces.has_value());
+  refuse_key("tip_shift", options.tip_shift.has_value());
   refuse_key("interface", options.interface.has_value());
   refuse_key("boundary_volumes", options.boundary_volumes.has_value());
   if (!problem.cracks.empty()) refuse("crack.0", "Leave cracks out, or cut away a thin part with material = \"void\"");
