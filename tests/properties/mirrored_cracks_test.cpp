@@ -55,5 +55,68 @@ TEST(MirroredCracks, make_no_point_cool_because_another_warms) {
   });
 }
 
+/// As above, and the cracks grow, appear, close, or exchange heat between their faces.
+Problem draw_changing(const BodyRequest& request) {
+  Problem problem = *random_problem(request);
+  RC_PRE(!problem.cracks.empty() && problem.nonlocality.scheme == Scheme::peritherm);
+  for (Crack& crack : problem.cracks) {
+    crack.faces = draw_chance(80) ? Faces::mirror : Faces::cut;
+    crack.tip_shift = NoTipShift{};
+    if (draw_chance(40)) crack.gap = GapConvection{draw_real(0.01, 100.0)};
+    if (draw_chance(40)) crack.contact = ContactAtTimes{{0.2, 0.6}, {draw_real(0.0, 1.0), draw_real(0.0, 1.0)}};
+    if (draw_chance(40)) crack.start_time = draw_real(0.0, 1.0);
+    const bool may_grow = problem.body.size.size() == 2;
+    if (may_grow && draw_chance(40)) crack.tip_speed = 4.0 * make_grid(problem).spacing;
+  }
+  problem.time.end = 1.0;
+  problem.boundaries.clear();
+  problem.sources.clear();
+  RC_PRE(find_faults(problem).empty());
+  return problem;
+}
+
+TEST(ChangingCracks, conduct_alike_by_stencil_and_bonds_and_keep_all_heat) {
+  check_for_every_kernel({4, 1, 0}, [](const BodyRequest& request) {
+    const Problem problem = draw_changing(request);
+    const MeasuredBody stencil = measure(problem, BackendName::stencil);
+    const MeasuredBody bonds = measure(problem, BackendName::bond);
+    std::vector<double> state = random_state(stencil.system().size(), draw(0, 1000));
+    for (int look = 0; look < 2; ++look) {
+      const double from = draw_real(0.0, 1.0), to = from + draw_real(0.0, 0.5);
+      stencil.system().begin_step(from, to);
+      bonds.system().begin_step(from, to);
+      const std::vector<double> first = rates(stencil, state), second = rates(bonds, state);
+      double sum = 0.0;
+      for (std::size_t k = 0; k < first.size(); ++k) {
+        // Conductances grow up to some tenfold, and their means are sums of up to a hundred changes.
+        RC_ASSERT(std::abs(first[k] - second[k]) <= 100.0 * stencil.rate_rounding(k, 1.0));
+        sum += stencil.capacities[k] * first[k];
+      }
+      RC_ASSERT(std::abs(sum) <= 10.0 * stencil.heat_rounding(1.0));
+    }
+  });
+}
+
+TEST(ChangingCracks, never_conduct_less_than_nothing_nor_faster_than_the_bound) {
+  check_for_every_kernel({4, 1, 0}, [](const BodyRequest& request) {
+    const Problem problem = draw_changing(request);
+    const MeasuredBody body = measure(problem, BackendName::stencil);
+    const double bound = body.system().conduction().gershgorin_bound();
+    for (const double time : {0.0, 0.3, 0.7, 1.0}) {
+      body.system().begin_step(time, time);
+      for (std::size_t k = 0; k < body.entries.size(); ++k) {
+        std::vector<double> found(body.system().size(), 0.0);
+        body.system().conduction().visit_bonds(body.entries[k], [&](std::size_t j, double g) { found[j] += g; });
+        double sum = 0.0;
+        for (const double g : found) {
+          RC_ASSERT(g >= -10.0 * body.capacities[k] * body.rate_rounding(k, 1.0));
+          sum += g;
+        }
+        RC_ASSERT(2.0 * sum / body.capacities[k] <= bound * (1.0 + 1e-9));
+      }
+    }
+  });
+}
+
 }  // namespace
 }  // namespace peritherm

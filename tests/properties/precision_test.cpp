@@ -128,8 +128,13 @@ Problem warm_plate() {
   problem.initial.temperature = 300.0;
   problem.boundaries.push_back({Face::x_min, std::nullopt, HeldTemperature{Profile(310.0), Imposed::mirror, {}}});
   problem.boundaries.push_back({Face::x_max, std::nullopt, HeldTemperature{Profile(290.0), Imposed::mirror, {}}});
-  problem.cracks.push_back(
-      {.points = {{0.5, 0.2}, {0.5, 0.8}}, .disc = {}, .tip_speed = {}, .faces = {}, .tip_shift = {}});
+  problem.cracks.push_back({.points = {{0.5, 0.2}, {0.5, 0.8}},
+                            .disc = {},
+                            .tip_speed = {},
+                            .faces = {},
+                            .tip_shift = {},
+                            .gap = {},
+                            .contact = {}});
   problem.numerics.threads = 1;
   problem.time.end = 0.05;
   problem.time.integrator = RungeKuttaLegendre{1e-4};

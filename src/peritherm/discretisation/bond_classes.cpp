@@ -13,25 +13,14 @@ double longest_offset(const Stencil& stencil) {
   return longest;
 }
 
-OffsetTable::OffsetTable(const Stencil& stencil) : radius_(stencil.radius) {
-  const auto width = static_cast<std::size_t>(2 * radius_ + 1);
-  numbers_.assign(width * width * width, -1);
+OffsetTable::OffsetTable(const Stencil& stencil) : number_of_(stencil.radius), entries_(number_of_.count(), -1) {
   for (std::size_t k = 0; k < stencil.entries.size(); ++k) {
-    const GridIndex& offset = stencil.entries[k].offset;
-    std::size_t place = 0;
-    for (int axis = 2; axis >= 0; --axis) place = place * width + static_cast<std::size_t>(offset[axis] + radius_);
-    numbers_[place] = static_cast<int>(k);
+    entries_[number_of_(stencil.entries[k].offset)] = static_cast<int>(k);
   }
 }
 
 int OffsetTable::operator[](const GridIndex& offset) const {
-  const auto width = static_cast<std::size_t>(2 * radius_ + 1);
-  std::size_t place = 0;
-  for (int axis = 2; axis >= 0; --axis) {
-    if (std::abs(offset[axis]) > radius_) return -1;
-    place = place * width + static_cast<std::size_t>(offset[axis] + radius_);
-  }
-  return numbers_[place];
+  return number_of_.contains(offset) ? entries_[number_of_(offset)] : -1;
 }
 
 BondClasses::BondClasses(const Body& body, const Stencil& stencil, const OffsetTable& table)
@@ -46,32 +35,36 @@ std::pair<GridIndex, int> BondClasses::reversed(const GridIndex& point, int k) c
   return {folded, table_[back]};
 }
 
-std::vector<std::pair<std::uint64_t, double>> BondClasses::members(const GridIndex& point, int k) const {
+void BondClasses::Members::sort() {
+  const auto last = list_.begin() + static_cast<std::ptrdiff_t>(count_);
+  std::sort(list_.begin(), last);
+  count_ = static_cast<std::size_t>(std::unique(list_.begin(), last) - list_.begin());
+}
+
+BondClasses::Members BondClasses::members(const GridIndex& point, int k) const {
   const std::uint64_t count = stencil_.entries.size();
-  std::vector<std::pair<std::uint64_t, double>> found;
+  Members found;
   const auto consider = [&](const GridIndex& p, int entry) {
     const GridIndex& offset = stencil_.entries[static_cast<std::size_t>(entry)].offset;
     int on_wall = 0;
     for (int axis = 0; axis < body_.grid.dimension && body_.grid.placement == PointPlacement::boundary; ++axis) {
       if (p[axis] == 0 || p[axis] == body_.grid.cells[axis]) on_wall |= 1 << axis;
     }
-    for (int turned = 0; turned < 8; ++turned) {
+    for (int turned = 0; turned <= on_wall; ++turned) {
       if ((turned & ~on_wall) != 0) continue;
       GridIndex seen = offset;
       for (int axis = 0; axis < 3; ++axis) seen[axis] = (turned >> axis & 1) != 0 ? -offset[axis] : offset[axis];
-      found.emplace_back(body_.grid.number(p) * count + static_cast<std::uint64_t>(table_[seen]),
-                         body_.grid.volume_share(p));
+      found.add({body_.grid.number(p) * count + static_cast<std::uint64_t>(table_[seen]), body_.grid.volume_share(p)});
     }
   };
   consider(point, k);
   const auto [other, back] = reversed(point, k);
   consider(other, back);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  found.sort();
   return found;
 }
 
-std::uint64_t BondClasses::key(const GridIndex& point, int k) const { return members(point, k).front().first; }
+std::uint64_t BondClasses::key(const GridIndex& point, int k) const { return members(point, k).begin()->first; }
 
 double BondClasses::weight(const GridIndex& point, int k) const {
   double ends = 0.0;

@@ -7,6 +7,11 @@
 #include "peritherm/geometry/vector.hpp"
 
 namespace peritherm {
+namespace {
+
+constexpr int most_images = 8;  // that a bond passes
+
+}  // namespace
 
 BondTracer::BondTracer(const Body& body) : body_(body) {
   for (int axis = 0; axis < body.grid.dimension; ++axis) {
@@ -53,13 +58,25 @@ Point BondTracer::fold(const Point& x, const Point& within) const {
   return folded;
 }
 
-/// What cracks do to a bond or a piece of it.
-void BondTracer::append_crossings_of(const NearbyCracks& nearby, const Point& a, const Point& b, BondPath& path) {
+/// What cracks do to the piece of a bond in an image of the body.
+void BondTracer::append_crossings_of(const NearbyCracks& nearby, const Piece& piece, int image, BondPath& path) {
+  int number = image;
   for (const auto& [crack, parts] : nearby.cracks) {
-    const auto time = crack->crossing_time(a, b, parts);
+    number += most_images;
+    const auto passage = crack->passage(piece.begin, piece.end, parts);
+    if (!passage) continue;
+    const double time = passage->time;
     // What mirroring faces leave of a bond is in its face share.
-    const double transmission = crack->mirrors() ? 1.0 : crack->transmission();
-    if (time) path.crossings.push_back({*time, transmission, crack->changes_in_time()});
+    if (crack->mirrors()) {
+      path.crossings.push_back({time, 1.0, crack->grows(), false, number});
+      continue;
+    }
+    const double open = crack->transmission(dot(piece.bond, crack->normal_of(passage->part)), path.conductivity);
+    const auto with_contact = [open](double share) { return open + (1.0 - open) * share; };
+    path.crossings.push_back({time, with_contact(crack->contact(time)), crack->grows(), false, number});
+    for (const ContactChange& change : crack->contact_changes()) {
+      if (change.time > time) path.crossings.push_back({change.time, with_contact(change.share), true, false, number});
+    }
   }
 }
 
@@ -192,7 +209,9 @@ double BondTracer::contact_resistance(const Stretch& before, const Stretch& afte
 void BondTracer::trace(const NearbyCracks& nearby, Point a, MaterialIndex material_a, Point b, MaterialIndex material_b,
                        BondPath& path) const {
   trace_cracks(nearby, a, material_a, b, material_b, path);
-  path.face_share = body_.faces.empty() ? 1.0 : body_.faces.share_of(body_.grid, a, b);
+  path.face_share = 1.0;
+  path.faces.clear();
+  if (!body_.faces.empty()) body_.faces.look_up(body_.grid, a, b, path.face_share, path.faces);
   if (path.conductivity != 0.0) {
     const auto time = body_.broken.time_of(a, b);
     if (time) path.crossings.push_back({std::max(*time, 0.0), body_.broken.transmission(), *time > 0.0, true});
@@ -222,15 +241,63 @@ void BondTracer::trace_cracks(const NearbyCracks& nearby, Point a, MaterialIndex
   }
   if (nearby.empty()) return;
   cut_at_walls(off_cracks(nearby, a), off_cracks(nearby, b), pieces);
-  for (const Piece& piece : pieces) append_crossings_of(nearby, piece.begin, piece.end, path);
+  int image = 0;
+  for (const Piece& piece : pieces) append_crossings_of(nearby, piece, image++, path);
+}
+
+void RemainingShare::pass(const Crossing& crossing) {
+  if (crossing.by_elongation) {
+    broken_ *= crossing.transmission;
+    return;
+  }
+  const auto same = std::find_if(passed_.begin(), passed_.end(),
+                                 [&](const Passed& passed) { return passed.crack == crossing.crack; });
+  if (same == passed_.end()) {
+    passed_.push_back({crossing.crack, crossing.transmission});
+  } else {
+    same->transmission = crossing.transmission;
+  }
+  cracks_ = 1.0;
+  for (const Passed& passed : passed_) cracks_ *= passed.transmission;
 }
 
 double standing_share(const BondPath& path) {
-  RemainingShare share(path.face_share);
+  RemainingShare share;
   for (const Crossing& crossing : path.crossings) {
     if (!crossing.in_time) share.pass(crossing);
   }
-  return share.value();
+  return path.face_share * share.value();
+}
+
+void append_changes(const BondPath& path, std::vector<ShareRamp>& ramps) {
+  thread_local std::vector<double> times;
+  times.clear();
+  RemainingShare share;
+  for (const Crossing& crossing : path.crossings) {
+    if (crossing.in_time) {
+      times.push_back(crossing.time);
+    } else {
+      share.pass(crossing);
+    }
+  }
+  for (const ShareKnot& knot : path.faces) times.push_back(knot.time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  const auto of_faces = [&path](double time, Side side) {
+    return path.faces.empty() ? path.face_share : share_at(path.faces, time, side);
+  };
+  auto next = path.crossings.begin();
+  double last = path.face_share * share.value();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const double before = of_faces(times[k], Side::before) * share.value();
+    if (k > 0 && before != last) ramps.push_back({times[k - 1], times[k], last, before});
+    for (; next != path.crossings.end() && next->time <= times[k]; ++next) {
+      if (next->in_time) share.pass(*next);
+    }
+    const double after = of_faces(times[k], Side::after) * share.value();
+    if (after != before) ramps.push_back({times[k], times[k], before, after});
+    last = after;
+  }
 }
 
 }  // namespace peritherm

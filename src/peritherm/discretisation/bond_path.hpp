@@ -4,22 +4,25 @@
 #include <vector>
 
 #include "peritherm/discretisation/body.hpp"
+#include "peritherm/discretisation/share_over_time.hpp"
 
 namespace peritherm {
 
-/// A crack that passes a bond, or the elongation that breaks it.
+/// A crack that passes a bond or closes again, or the elongation that breaks it.
 struct Crossing {
-  double time;                 ///< when the crack has passed [s]
+  double time;                 ///< when the crack has passed, or changes what it lets through [s]
   double transmission;         ///< share of its conductance that the bond keeps
   bool in_time;                ///< false: there from the start
   bool by_elongation = false;  ///< not a crack
+  int crack = 0;               ///< which one, mirror images apart; what it does last counts
 };
 
 /// What lies along a bond.
 struct BondPath {
   double conductivity = 0.0;        ///< without cracks [W/(m K)]; 0 if the bond leaves the body
-  double face_share = 1.0;          ///< what mirroring faces make of the bond, over the volume of its beginning
-  std::vector<Crossing> crossings;  ///< at most one per crack and mirror image, and one by elongation; earliest first
+  double face_share = 1.0;          ///< what mirroring faces make of it, over the volume of its beginning; at first
+  std::vector<ShareKnot> faces{};   ///< the same where it changes in time; empty where it does not
+  std::vector<Crossing> crossings;  ///< earliest first
 };
 
 /// What a bond keeps of its conductance: what mirroring faces make of it, times the product of the transmissions of the
@@ -27,12 +30,16 @@ struct BondPath {
 /// bonds which it has cut already, and one gap must not count twice.
 class RemainingShare {
  public:
-  explicit RemainingShare(double face_share = 1.0) : face_share_(face_share) {}
-  void pass(const Crossing& crossing) { (crossing.by_elongation ? broken_ : cracks_) *= crossing.transmission; }
-  double value() const { return face_share_ * std::min(cracks_, broken_); }
+  void pass(const Crossing& crossing);
+  double value() const { return std::min(cracks_, broken_); }
 
  private:
-  double face_share_, cracks_ = 1.0, broken_ = 1.0;
+  struct Passed {
+    int crack;
+    double transmission;
+  };
+  std::vector<Passed> passed_;
+  double cracks_ = 1.0, broken_ = 1.0;
 };
 
 /// The cracks that reach into some part of the body, and with which of their parts.
@@ -82,7 +89,7 @@ class BondTracer {
   Point fold(const Point& x, const Point& within) const;
   Point off_cracks(const NearbyCracks& nearby, const Point& x) const;
   bool is_inside(const Point& x) const;
-  static void append_crossings_of(const NearbyCracks& nearby, const Point& a, const Point& b, BondPath& path);
+  static void append_crossings_of(const NearbyCracks& nearby, const Piece& piece, int image, BondPath& path);
   void cut_at_walls(const Point& a, const Point& b, std::vector<Piece>& pieces) const;
   void cut_at_surfaces(const std::vector<Piece>& pieces, std::vector<Stretch>& stretches) const;
   double conductivity_along(const std::vector<Stretch>& stretches, MaterialIndex a, MaterialIndex b) const;
@@ -99,5 +106,7 @@ class BondTracer {
 
 /// Share of its conductance that the cracks there from the start, and elongation at the start, leave to a bond.
 double standing_share(const BondPath& path);
+/// How that share changes, earliest first.
+void append_changes(const BondPath& path, std::vector<ShareRamp>& ramps);
 
 }  // namespace peritherm

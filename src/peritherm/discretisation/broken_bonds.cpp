@@ -7,7 +7,7 @@
 namespace peritherm {
 
 BrokenBonds::BrokenBonds(const Grid& grid, int radius, double transmission, std::vector<Break> breaks)
-    : grid_(grid), radius_(radius), transmission_(transmission) {
+    : grid_(grid), number_of_(radius), transmission_(transmission) {
   std::sort(breaks.begin(), breaks.end(),
             [](const Break& a, const Break& b) { return std::tie(a.point, a.bond) < std::tie(b.point, b.bond); });
   bonds_.reserve(breaks.size());
@@ -35,12 +35,6 @@ BrokenBonds::Row BrokenBonds::row(std::size_t point) const {
   const auto k = static_cast<std::size_t>(found - points_.begin());
   const std::size_t begin = k == 0 ? 0 : end_[k - 1];
   return {std::span(bonds_).subspan(begin, end_[k] - begin), std::span(times_).subspan(begin, end_[k] - begin)};
-}
-
-std::uint32_t BrokenBonds::number_of(const GridIndex& offset) const {
-  const int width = 2 * radius_ + 1;
-  return static_cast<std::uint32_t>(offset[0] + radius_ +
-                                    width * (offset[1] + radius_ + width * (offset[2] + radius_)));
 }
 
 GridIndex BrokenBonds::index_at(const Point& place) const {

@@ -8,6 +8,7 @@
 
 #include "peritherm/base/field.hpp"
 #include "peritherm/discretisation/grid.hpp"
+#include "peritherm/discretisation/offset_numbers.hpp"
 
 namespace peritherm {
 
@@ -40,8 +41,8 @@ class BrokenBonds {
 
   /// The bonds of a point that break; none for most points.
   Row row(std::size_t point) const;
-  /// Number of an offset between points; ascends as offsets do in a stencil.
-  std::uint32_t number_of(const GridIndex& offset) const;
+  /// Number of an offset between points.
+  std::uint32_t number_of(const GridIndex& offset) const { return number_of_(offset); }
   /// When the bond from a point of the body to another place, which may lie beyond mirrored faces, breaks [s].
   std::optional<double> time_of(const Point& from, const Point& to) const;
 
@@ -57,7 +58,7 @@ class BrokenBonds {
   GridIndex index_at(const Point& place) const;
 
   Grid grid_;
-  int radius_ = 0;
+  OffsetNumbers number_of_;
   double transmission_ = 0.0;
   std::vector<std::int64_t> points_;
   std::vector<std::size_t> end_;  ///< per point: end of its own in bonds_ and times_

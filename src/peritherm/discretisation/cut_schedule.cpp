@@ -1,20 +1,17 @@
 #include "peritherm/discretisation/cut_schedule.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace peritherm {
 
 void CutSchedule::add(std::size_t entry, double offset, double full, const BondPath& path) {
-  RemainingShare share(path.face_share);
-  for (const Crossing& crossing : path.crossings) {
-    if (!crossing.in_time) share.pass(crossing);
-  }
-  for (const Crossing& crossing : path.crossings) {
-    if (!crossing.in_time) continue;
-    const double before = offset + full * share.value();
-    share.pass(crossing);
-    const double after = offset + full * share.value();
-    if (after != before) events_.push_back({crossing.time, before, after, entry});
+  thread_local std::vector<ShareRamp> ramps;
+  ramps.clear();
+  append_changes(path, ramps);
+  for (const ShareRamp& ramp : ramps) {
+    const double before = offset + full * ramp.before, after = offset + full * ramp.after;
+    if (after != before) events_.push_back({ramp.begin, ramp.end, before, after, entry});
   }
 }
 
@@ -26,24 +23,43 @@ void CutSchedule::append(const CutSchedule& other, std::size_t first) {
 }
 
 void CutSchedule::sort() {
-  std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
+  std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) { return a.begin < b.begin; });
   events_.shrink_to_fit();
+  for (const Event& event : events_) longest_ = std::max(longest_, event.end - event.begin);
+}
+
+/// Number of the first event that begins later.
+std::size_t CutSchedule::first_after(double time) const {
+  const auto later = [](double wanted, const Event& event) { return wanted < event.begin; };
+  return static_cast<std::size_t>(std::upper_bound(events_.begin(), events_.end(), time, later) - events_.begin());
+}
+
+/// Mean over [from, to] of how far an event has come, 0 to 1; how far at `from` if both are equal.
+double CutSchedule::share_over(const Event& event, double from, double to) {
+  if (from >= event.end) return 1.0;
+  const double length = event.end - event.begin;
+  if (from == to) return std::max(0.0, (from - event.begin) / length);
+  // The integral up to a time.
+  const auto integral = [&](double time) {
+    if (time >= event.end) return time - event.end + 0.5 * length;
+    const double passed = std::max(0.0, time - event.begin);
+    return passed > 0.0 ? 0.5 * passed * passed / length : 0.0;
+  };
+  return (integral(to) - integral(from)) / (to - from);
 }
 
 bool CutSchedule::average_over(double from, double to, Field conductances) {
-  const auto earlier = [](const Event& event, double time) { return event.time < time; };
-  const auto later = [](double time, const Event& event) { return time < event.time; };
-  const auto settled =
-      static_cast<std::size_t>(std::upper_bound(events_.begin(), events_.end(), from, later) - events_.begin());
-  const auto touched = std::max(
-      settled,
-      static_cast<std::size_t>(std::lower_bound(events_.begin(), events_.end(), to, earlier) - events_.begin()));
-  const std::size_t first = std::min(settled_, settled);
-  const std::size_t last = std::max(touched_, touched);
+  const std::size_t settled = first_after(from - longest_);
+  const std::size_t reached = from == to ? first_after(from) : first_after(std::nextafter(to, -HUGE_VAL));
+  const std::size_t touched = std::max(settled, reached);
+  const std::size_t first = std::min(settled_, settled), last = std::max(touched_, touched);
   for (std::size_t e = last; e-- > first;) conductances[events_[e].entry] = events_[e].before;
+  double share = 0.0;
   for (std::size_t e = first; e < touched; ++e) {
     const Event& event = events_[e];
-    const double share = e < settled ? 1.0 : (to - event.time) / (to - from);
+    // Many events share their times.
+    const bool is_new = e == first || event.begin != events_[e - 1].begin || event.end != events_[e - 1].end;
+    if (is_new) share = share_over(event, from, to);
     conductances[event.entry] += share * (event.after - event.before);
   }
   settled_ = settled;
@@ -52,9 +68,18 @@ bool CutSchedule::average_over(double from, double to, Field conductances) {
 }
 
 bool CutSchedule::changes_within(double from, double to) const {
-  const auto later = [](double time, const Event& event) { return time < event.time; };
-  const auto next = std::upper_bound(events_.begin(), events_.end(), from, later);
-  return next != events_.end() && next->time < to;
+  for (std::size_t e = first_after(from - longest_); e < events_.size() && events_[e].begin < to; ++e) {
+    if (events_[e].end > from) return true;
+  }
+  return false;
+}
+
+std::vector<double> CutSchedule::peaks(ConstField conductances) const {
+  std::vector<double> highest(conductances.begin(), conductances.end());
+  for (const Event& event : events_) {
+    highest[event.entry] = std::max({highest[event.entry], event.before, event.after});
+  }
+  return highest;
 }
 
 std::vector<std::size_t> CutSchedule::entries() const {

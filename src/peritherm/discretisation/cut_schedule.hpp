@@ -8,11 +8,11 @@
 
 namespace peritherm {
 
-/// Conductances that growing cracks and elongation lower at known times. Over a step each takes its mean (first Magnus
-/// term), so that results depend on the step only to second order.
+/// Conductances that growing and closing cracks and elongation change at known times. Over a step each takes its mean
+/// (first Magnus term), so that results depend on the step only to second order.
 class CutSchedule {
  public:
-  /// Bond `entry` has the conductance offset + full before its first crossing in time.
+  /// Bond `entry` has the conductance offset + full · share; `path` tells how the share changes.
   void add(std::size_t entry, double offset, double full, const BondPath& path);
 
   /// Takes the changes of another schedule whose entries are counted from `first` on.
@@ -27,6 +27,9 @@ class CutSchedule {
   /// Whether anything changes at a time within (from, to).
   bool changes_within(double from, double to) const;
 
+  /// The largest value that each conductance ever takes; `conductances` as they are at some time.
+  std::vector<double> peaks(ConstField conductances) const;
+
   bool empty() const { return events_.empty(); }
   std::size_t size() const { return events_.size(); }
   /// Entries that change, ascending, each once.
@@ -35,12 +38,16 @@ class CutSchedule {
 
  private:
   struct Event {
-    double time;
+    double begin, end;  ///< equal: a jump
     double before, after;
     std::size_t entry;
   };
+  std::size_t first_after(double time) const;
+  static double share_over(const Event& event, double from, double to);
+
   std::vector<Event> events_;
-  std::size_t settled_ = 0;  ///< events before this one are over
+  double longest_ = 0.0;     ///< of the events [s]
+  std::size_t settled_ = 0;  ///< events before this one were over when it was last asked
   std::size_t touched_ = 0;  ///< events from here on have not acted
 };
 

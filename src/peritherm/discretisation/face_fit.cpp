@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
 #include "peritherm/discretisation/face_system.hpp"
 
@@ -13,6 +12,7 @@ namespace {
 
 constexpr int most_iterations = 60;
 constexpr int most_rounds = 4;
+constexpr int gap_rounds = 2;
 /// A row that misses its target by this share of the bulk's second moment is given up.
 constexpr double largest_miss = 0.01;
 
@@ -31,7 +31,7 @@ double largest_of(const std::vector<double>& values) {
 /// Lower triangle of K diag(slopes) Kᵀ, and its factors.
 class FaceMatrix {
  public:
-  explicit FaceMatrix(const FaceSystem& system) : system_(system) { find_pattern(); }
+  explicit FaceMatrix(const FaceSystem& system) : system_(system), size_(system.moments()) { find_pattern(); }
 
   void factorise(const std::vector<double>& slopes) {
     fill(slopes);
@@ -45,80 +45,75 @@ class FaceMatrix {
   }
 
  private:
-  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// Pairs (column, row ≥ column) of rows that share a class.
-  Pairs find_pairs() const {
-    Pairs pairs;
+  /// Calls visit(class, its member with the column, that with the row ≥ column), always in the same order.
+  template <class Visit>
+  void for_blocks(Visit visit) const {
     for (std::size_t e = 0; e < system_.class_count(); ++e) {
       for (const auto& a : system_.members(e)) {
         for (const auto& b : system_.members(e)) {
-          if (b.row <= a.row) pairs.emplace_back(b.row, a.row);
+          if (b.row <= a.row) visit(e, b, a);
         }
       }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs;
   }
 
   void find_pattern() {
-    const Pairs pairs = find_pairs();
-    const std::size_t size = system_.moments(), length = system_.target().size();
+    const std::size_t length = system_.target().size();
+    std::vector<Pair> pairs;
+    for (std::uint32_t row = 0; row < length / size_; ++row) pairs.emplace_back(row, row);
+    for_blocks([&](std::size_t, const auto& column, const auto& row) { pairs.emplace_back(column.row, row.row); });
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     matrix_.resize(static_cast<int>(length), static_cast<int>(length));
-    std::vector<int> counts(length);
-    for (const auto& [column, row] : pairs) {
-      for (std::size_t i = 0; i < size; ++i) counts[column * size + i] += static_cast<int>(size);
+    std::vector<int> counts(length), first;
+    std::uint32_t last = 0;
+    for (std::size_t p = 0, begin = 0; p < pairs.size(); ++p, last = pairs[p - 1].first) {
+      if (p > 0 && pairs[p].first != last) begin = p;
+      first.push_back(static_cast<int>((p - begin) * size_));
+      for (std::size_t i = 0; i < size_; ++i) counts[pairs[p].first * size_ + i] += static_cast<int>(size_);
     }
     matrix_.reserve(counts);
     for (const auto& [column, row] : pairs) {
-      for (std::size_t i = 0; i < size; ++i) {
-        for (std::size_t j = 0; j < size; ++j) {
-          matrix_.insert(static_cast<int>(row * size + j), static_cast<int>(column * size + i)) = 0.0;
+      for (std::size_t i = 0; i < size_; ++i) {
+        for (std::size_t j = 0; j < size_; ++j) {
+          matrix_.insert(static_cast<int>(row * size_ + j), static_cast<int>(column * size_ + i)) = 0.0;
         }
       }
     }
     matrix_.makeCompressed();
-    for (const auto& [column, row] : pairs) {
-      const int* const begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column * size];
-      const int* const end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column * size + 1];
-      first_of_pair_[key(column, row)] =
-          static_cast<int>(std::lower_bound(begin, end, static_cast<int>(row * size)) - begin);
-    }
+    for_blocks([&](std::size_t, const auto& column, const auto& row) {
+      const auto found = std::lower_bound(pairs.begin(), pairs.end(), Pair(column.row, row.row));
+      place_of_block_.push_back(first[static_cast<std::size_t>(found - pairs.begin())]);
+    });
     solver_.analyzePattern(matrix_);
   }
 
-  static std::uint64_t key(std::uint64_t column, std::uint64_t row) { return column << 32 | row; }
-
   void fill(const std::vector<double>& slopes) {
     std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
-    for (std::size_t e = 0; e < system_.class_count(); ++e) {
+    const int* const begin = matrix_.outerIndexPtr();
+    std::size_t block = 0;
+    for_blocks([&](std::size_t e, const auto& column, const auto& row) {
       const double slope = slopes[e] / system_.times(e);
-      for (const auto& a : system_.members(e)) {
-        for (const auto& b : system_.members(e)) {
-          if (b.row <= a.row) add_block(b, a, slope);
-        }
+      const FaceMoments &left = system_.scaled_moments(row), &right = system_.scaled_moments(column);
+      const int place = place_of_block_[block++];
+      for (std::size_t i = 0; i < size_; ++i) {
+        double* const values = matrix_.valuePtr() + begin[column.row * size_ + i] + place;
+        for (std::size_t j = 0; j < size_; ++j) values[j] += slope * left[j] * right[i];
       }
-    }
-    for (int n = 0; n < matrix_.cols(); ++n) {
-      matrix_.coeffRef(n, n) += system_.elasticity()[static_cast<std::size_t>(n)];
-    }
-  }
-
-  void add_block(const FaceSystem::Member& column, const FaceSystem::Member& row, double slope) {
-    const std::size_t size = system_.moments();
-    const FaceMoments left = system_.scaled_moments(row), right = system_.scaled_moments(column);
-    const int first = first_of_pair_.at(key(column.row, row.row));
-    for (std::size_t i = 0; i < size; ++i) {
-      double* const values = matrix_.valuePtr() + matrix_.outerIndexPtr()[column.row * size + i] + first;
-      for (std::size_t j = 0; j < size; ++j) values[j] += slope * left[j] * right[i];
+    });
+    // The first block of a column is that of the diagonal.
+    for (std::size_t n = 0; n < system_.target().size(); ++n) {
+      matrix_.valuePtr()[begin[n] + static_cast<int>(n % size_)] += system_.elasticity()[n];
     }
   }
 
   const FaceSystem& system_;
+  std::size_t size_;
   Eigen::SparseMatrix<double> matrix_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
-  std::unordered_map<std::uint64_t, int> first_of_pair_;
+  std::vector<int> place_of_block_;  ///< in its columns, block by block
 };
 
 /// The same equations by conjugate gradients: in 3-D factors fill up.
@@ -187,18 +182,49 @@ class FaceGradients {
 class FaceFitter {
  public:
   explicit FaceFitter(const FaceSystem& system)
-      : system_(system), gradients_(system), lambda_(system.target().size(), 0.0) {
+      : system_(system), gradients_(system), lambda_(system.target().size(), 0.0), centre_(lambda_) {
     if (!in_space()) matrix_.emplace(system);
   }
 
-  /// Number of iterations.
-  int solve() {
+  void solve() {
+    approach();
+    // What the elastic terms give way to would stay of the heat across a gap at any spacing.
+    for (int round = 0; round < gap_rounds && system_.exchanges(); ++round) {
+      centre_ = lambda_;
+      approach();
+    }
+  }
+
+  /// Points whose moments are missed.
+  std::vector<std::size_t> missed() const {
+    const std::vector<double> residual = find_residual();
+    std::vector<std::size_t> found;
+    for (std::size_t n = 0; n < residual.size(); ++n) {
+      const double miss = (residual[n] + system_.elasticity()[n] * (lambda_[n] - centre_[n])) * system_.scale(n);
+      const std::size_t point = system_.point_of(n / system_.moments());
+      if (!(std::abs(miss) < largest_miss * 2.0) && (found.empty() || found.back() != point)) found.push_back(point);
+    }
+    return found;
+  }
+
+  /// Per class: conductance over the stencil's.
+  std::vector<double> shares() const {
+    std::vector<double> result;
+    system_.gather(lambda_, result);
+    for (std::size_t e = 0; e < result.size(); ++e) {
+      result[e] = system_.base(e) + system_.strength(e) * (conductance_ratio(result[e]) - 1.0);
+    }
+    return result;
+  }
+
+ private:
+  void approach() {
     const double enough = 1e-9 * largest_of(system_.target());
     double dual = dual_at(lambda_);
     std::vector<double> step, trial(lambda_.size());
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       const std::vector<double> residual = find_residual();
-      if (!(largest_of(residual) > enough)) return iteration;
+      if (!(largest_of(residual) > enough)) return;
       find_step(residual, step);
       double slope = 0.0;
       for (std::size_t n = 0; n < step.size(); ++n) slope += residual[n] * step[n];
@@ -212,35 +238,11 @@ class FaceFitter {
         moved = true;
         break;
       }
-      if (!moved) return iteration;
+      if (!moved) return;
     }
-    return most_iterations;
   }
 
-  /// Points whose moments are missed.
-  std::vector<std::size_t> missed() const {
-    const std::vector<double> residual = find_residual();
-    std::vector<std::size_t> found;
-    for (std::size_t n = 0; n < residual.size(); ++n) {
-      const double miss = (residual[n] + system_.elasticity()[n] * lambda_[n]) * system_.scale(n);
-      const std::size_t point = system_.point_of(n / system_.moments());
-      if (!(std::abs(miss) < largest_miss * 2.0) && (found.empty() || found.back() != point)) found.push_back(point);
-    }
-    return found;
-  }
-
-  /// Per class: conductance over the stencil's.
-  std::vector<double> shares() const {
-    std::vector<double> result;
-    system_.gather(lambda_, result);
-    for (std::size_t e = 0; e < result.size(); ++e) {
-      result[e] = 1.0 + system_.strength(e) * (conductance_ratio(result[e]) - 1.0);
-    }
-    return result;
-  }
-
- private:
-  bool in_space() const { return system_.moments() == 6; }
+  bool in_space() const { return system_.moments() >= 6; }
 
   void find_step(const std::vector<double>& residual, std::vector<double>& step) {
     if (in_space()) return gradients_.solve(slopes_, residual, step);
@@ -255,7 +257,8 @@ class FaceFitter {
       sum += system_.times(e) * system_.weight(e) * (ratio_integral(tensions_[e]) - tensions_[e]);
     }
     for (std::size_t n = 0; n < lambda.size(); ++n) {
-      sum += lambda[n] * (0.5 * system_.elasticity()[n] * lambda[n] - system_.target()[n]);
+      const double stretch = lambda[n] - centre_[n];
+      sum += 0.5 * system_.elasticity()[n] * stretch * stretch - lambda[n] * system_.target()[n];
     }
     return sum;
   }
@@ -271,7 +274,7 @@ class FaceFitter {
     }
     system_.scatter(changes, residual);
     for (std::size_t n = 0; n < residual.size(); ++n) {
-      residual[n] = system_.target()[n] - residual[n] - system_.elasticity()[n] * lambda_[n];
+      residual[n] = system_.target()[n] - residual[n] - system_.elasticity()[n] * (lambda_[n] - centre_[n]);
     }
     return residual;
   }
@@ -280,55 +283,96 @@ class FaceFitter {
   std::optional<FaceMatrix> matrix_;
   FaceGradients gradients_;
   std::vector<double> lambda_;
+  std::vector<double> centre_;  ///< where the elastic terms are at rest
   mutable std::vector<double> tensions_, slopes_;
 };
 
-/// Shares of all bonds of the points near faces: cut ones, and those of the classes.
-std::vector<std::vector<double>> spread_shares(const Stencil& stencil, const FacePoints& points,
-                                               const FaceSystem& system, const std::vector<double>& of_class) {
-  const std::size_t count = stencil.entries.size();
-  std::vector<std::vector<double>> result(points.points().size());
-  for (std::size_t n = 0; n < result.size(); ++n) {
-    const FacePoint& point = points.points()[n];
-    if (point.cut.empty()) continue;
-    result[n].assign(count, 1.0);
-    for (std::size_t k = 0; k < count; ++k) result[n][k] = 1.0 - point.cut[k];
-  }
-  for (std::size_t e = 0; e < of_class.size(); ++e) {
-    const FaceSystem::Member& first = system.members(e).front();
-    const GridIndex& from = points.points()[system.point_of(first.row)].index;
-    for (const auto& [member, wall_share] : system.classes().members(from, first.entry)) {
-      const std::int64_t n = points.find(member / count);
-      if (n < 0) continue;
-      std::vector<double>& own = result[static_cast<std::size_t>(n)];
-      if (own.empty()) own.assign(count, 1.0);
-      own[member % count] = of_class[e];
+/// Shares of all bonds of the points near faces: those that are kept, cut ones, and those of the classes.
+class ShareSpreader {
+ public:
+  ShareSpreader(const Body& body, const Stencil& stencil, const FacePoints& points, const BondClasses& classes)
+      : body_(body),
+        count_(stencil.entries.size()),
+        points_(points),
+        classes_(classes),
+        result_(points.points().size()) {}
+
+  void keep(const FaceShares& before) {
+    for (std::size_t n = 0; n < result_.size(); ++n) {
+      const FacePoint& point = points_.points()[n];
+      const auto known = before.find(body_.grid.number(point.index));
+      if (known != before.end()) result_[n] = known->second;
+      if (result_[n].empty() && !point.cut.empty()) result_[n].assign(count_, 1.0);
+      if (point.settled || result_[n].empty()) continue;
+      for (std::size_t k = 0; k < count_; ++k) {
+        if (!points_.is_kept(body_, point, static_cast<int>(k))) result_[n][k] = 1.0 - point.cut_of(k);
+      }
     }
   }
-  return result;
+
+  /// Bonds to settled points look the same from there.
+  void mirror_cuts() {
+    for (const FacePoint& point : points_.points()) {
+      for (std::size_t k = 0; k < count_ && !point.settled; ++k) {
+        const std::int64_t end = points_.find(classes_.reversed(point.index, static_cast<int>(k)).first);
+        if (end < 0 || !points_.points()[static_cast<std::size_t>(end)].settled) continue;
+        if (points_.is_kept(body_, point, static_cast<int>(k))) continue;
+        set(point.index, static_cast<int>(k), 1.0 - point.cut_of(k));
+      }
+    }
+  }
+
+  void set(const GridIndex& from, int k, double share) {
+    for (const auto& [member, wall_share] : classes_.members(from, k)) {
+      const std::int64_t n = points_.find(member / count_);
+      if (n < 0) continue;
+      std::vector<double>& own = result_[static_cast<std::size_t>(n)];
+      if (own.empty() && share == 1.0) continue;
+      if (own.empty()) own.assign(count_, 1.0);
+      own[member % count_] = share;
+    }
+  }
+
+  std::vector<std::vector<double>> take() { return std::move(result_); }
+
+ private:
+  const Body& body_;
+  std::size_t count_;
+  const FacePoints& points_;
+  const BondClasses& classes_;
+  std::vector<std::vector<double>> result_;
+};
+
+std::vector<std::vector<double>> spread_shares(const Body& body, const Stencil& stencil, const FacePoints& points,
+                                               const FaceSystem& system, const FaceShares& before,
+                                               const std::vector<double>& of_class) {
+  ShareSpreader spreader(body, stencil, points, system.classes());
+  spreader.keep(before);
+  spreader.mirror_cuts();
+  for (std::size_t e = 0; e < of_class.size(); ++e) {
+    const FaceSystem::Member& first = system.members(e).front();
+    spreader.set(points.points()[system.point_of(first.row)].index, first.entry, of_class[e]);
+  }
+  return spreader.take();
 }
 
 }  // namespace
 
 std::vector<std::vector<double>> fit_faces(const Body& body, const Stencil& stencil, FacePoints& points,
-                                           FaceFitReport& report) {
-  for (FacePoint& point : points.points()) {
-    const bool touched = !point.cut.empty() || std::abs(point.volume - 1.0) > 1e-12;
-    if (!touched) continue;
-    ++report.rows;
-    point.has_row = point.whole;
-  }
+                                           const FaceShares& before, FaceFitReport& report) {
+  for (FacePoint& point : points.points()) point.has_row = point.is_touched() && point.whole && !point.settled;
   for (int round = 1;; ++round) {
-    const FaceSystem system(body, stencil, points);
+    const FaceSystem system(body, stencil, points, before);
     FaceFitter fitter(system);
-    report.iterations += fitter.solve();
+    fitter.solve();
     const std::vector<std::size_t> missed = fitter.missed();
     if (missed.empty() || round == most_rounds) {
       for (std::size_t n = 0; n < points.points().size(); ++n) {
+        const FacePoint& point = points.points()[n];
         const bool gives_way = std::binary_search(missed.begin(), missed.end(), n);
-        if (!points.points()[n].cut.empty() && (gives_way || !points.points()[n].has_row)) report.cut.push_back(n);
+        if (!point.settled && !point.cut.empty() && (gives_way || !point.has_row)) report.cut.push_back(n);
       }
-      return spread_shares(stencil, points, system, fitter.shares());
+      return spread_shares(body, stencil, points, system, before, fitter.shares());
     }
     for (const std::size_t n : missed) points.points()[n].has_row = false;
   }

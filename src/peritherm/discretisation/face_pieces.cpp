@@ -12,6 +12,7 @@ namespace peritherm {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double on_line = 1e-9;   ///< spacings
 constexpr double on_piece = 1e-6;  ///< spacings; corners belong to the crack, so that none leaks
 
 Point any_direction_across(const Point& a) {
@@ -21,14 +22,15 @@ Point any_direction_across(const Point& a) {
 }  // namespace
 
 FacePiece::FacePiece(int dimension, std::vector<Point> corners, const Point& normal, double radius,
-                     std::vector<bool> joined, double shift, double strength)
+                     std::vector<bool> joined, double shift, double strength, double exchange)
     : dimension_(dimension),
       corners_(std::move(corners)),
       normal_(normal),
       radius_(radius),
       joined_(std::move(joined)),
       shift_(shift),
-      strength_(strength) {
+      strength_(strength),
+      exchange_(exchange) {
   lower_.fill(-infinite);
   upper_.fill(infinite);
   if (dimension_ == 2) {
@@ -87,18 +89,27 @@ bool FacePiece::is_in_box(const Point& x) const {
 
 bool FacePiece::crosses_plane(const Point& a, const Point& b, double& place, Point& x) const {
   const double height_a = height(a), height_b = height(b);
-  if ((height_a >= 0.0) == (height_b >= 0.0)) return false;
-  place = height_a / (height_a - height_b);
+  // Places on the line ahead of a tip count as above it, whatever their rounding.
+  if ((height_a >= -on_line) == (height_b >= -on_line)) return false;
+  place = std::clamp(height_a / (height_a - height_b), 0.0, 1.0);
   x = between(a, b, place);
   return is_in_box(x);
 }
 
-FacePiece::Cut FacePiece::cut(const Point& a, const Point& b) const {
+FacePiece::Cut FacePiece::cut(const Point& a, const Point& b, double conductivity) const {
   Cut found;
   Point x;
   if (!crosses_plane(a, b, found.place, x)) return {};
   found.share = ramp(depth(x));
+  if (exchange_ > 0.0) {
+    const double passed = exchange_ * std::abs(dot(difference(b, a), normal_));
+    found.share *= conductivity / (passed + conductivity);
+  }
   return found;
+}
+
+double FacePiece::jump(double conductivity) const {
+  return exchange_ > 0.0 && strength_ == 1.0 ? conductivity / exchange_ : 0.0;
 }
 
 bool FacePiece::meets(const Point& a, const Point& b, double ahead) const {
@@ -168,8 +179,8 @@ std::array<Point, 2> FacePiece::bounds() const {
 std::vector<FacePiece::Tip> FacePiece::tips() const {
   std::vector<Tip> found;
   if (dimension_ != 2) return found;
-  if (!joined_[0]) found.push_back({corners_[0], scaled(tangents_[0], -1.0), false});
-  if (!joined_[1]) found.push_back({corners_[1], tangents_[0], true});
+  if (!joined_[0]) found.push_back({corners_[0], scaled(tangents_[0], -1.0), false, false});
+  if (!joined_[1]) found.push_back({corners_[1], tangents_[0], true, moving_});
   return found;
 }
 
@@ -185,15 +196,6 @@ struct PieceDraft {
 };
 
 constexpr double same_place = 1e-3;  ///< spacings; no grid tells such places apart
-
-/// Index coordinates: those of a point of the grid are its indices.
-Point in_spacings(const Grid& grid, const Point& x) {
-  Point place{};
-  for (int axis = 0; axis < grid.dimension; ++axis) {
-    place[axis] = (x[axis] - grid.origin[axis]) / grid.spacing - grid.first_depth();
-  }
-  return place;
-}
 
 /// What of a segment or polygon lies inside the box: Sutherland and Hodgman's clip, wall by wall.
 std::vector<Point> clipped_to_box(const Body& body, std::vector<Point> corners, bool closed) {
@@ -218,8 +220,15 @@ std::vector<Point> clipped_to_box(const Body& body, std::vector<Point> corners, 
   return corners;
 }
 
-void append_drafts(const Body& body, std::size_t crack, double time, std::vector<PieceDraft>& drafts) {
+/// The time as which the tip of a crack is looked at.
+double time_of_tip(const CrackSurface& crack, std::size_t number, const CrackMoment& moment) {
+  const bool leads = !moment.leads.empty() && moment.time > crack.start_time();
+  return leads ? moment.time + moment.leads[number] : moment.time;
+}
+
+void append_drafts(const Body& body, std::size_t crack, const CrackMoment& moment, std::vector<PieceDraft>& drafts) {
   const CrackSurface& surface = body.cracks[crack];
+  const double time = time_of_tip(surface, crack, moment);
   std::vector<Point> corners = surface.corners(time);
   for (Point& corner : corners) corner = in_spacings(body.grid, corner);
   if (corners.empty()) return;
@@ -329,17 +338,30 @@ void append_images(const Body& body, const TipSearch& box, double reach, std::ve
 
 }  // namespace
 
-std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double> shifts, double reach, double time) {
+Point in_spacings(const Grid& grid, const Point& x) {
+  Point place{};
+  for (int axis = 0; axis < grid.dimension; ++axis) {
+    place[axis] = (x[axis] - grid.origin[axis]) / grid.spacing - grid.first_depth();
+  }
+  return place;
+}
+
+std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double> shifts, double reach,
+                                        const CrackMoment& moment) {
   std::vector<PieceDraft> drafts;
-  for (std::size_t crack = 0; crack < body.cracks.size(); ++crack) append_drafts(body, crack, time, drafts);
+  for (std::size_t crack = 0; crack < body.cracks.size(); ++crack) append_drafts(body, crack, moment, drafts);
   const TipSearch search(body, drafts, shifts);
   std::vector<FacePiece> pieces;
   for (std::size_t n = 0; n < drafts.size(); ++n) {
     const PieceDraft& draft = drafts[n];
     if (shifts[draft.crack] < 0.0) continue;
+    const CrackSurface& crack = body.cracks[draft.crack];
+    const double open = 1.0 - (moment.touching ? crack.contact(moment.time) : 0.0);
     pieces.emplace_back(body.grid.dimension, draft.corners, draft.normal, draft.radius, search.joined(n),
-                        shifts[draft.crack], 1.0 - body.cracks[draft.crack].transmission());
+                        shifts[draft.crack], open * (1.0 - crack.transmission()),
+                        crack.gap_coefficient() * body.grid.spacing);
     pieces.back().set_crack(draft.crack);
+    pieces.back().set_moving(time_of_tip(crack, draft.crack, moment) < crack.end_time());
     pieces.back().confine(search.lower(), search.upper());
   }
   append_images(body, search, reach, pieces);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 namespace peritherm {
 
 struct Body;
+struct Grid;
 
 /// A plane piece of a crack whose faces mirror, in units of the spacing: a point of the grid stands at its indices.
 class FacePiece {
@@ -22,18 +24,22 @@ class FacePiece {
   /// 1-D: `corners` holds the position; 2-D: both ends; 3-D: the corners, or the centre if `radius` is not 0. `joined`
   /// per end (2-D) or edge (3-D, from corner k to the next): no tip. `shift`: by how much tips are pulled back.
   FacePiece(int dimension, std::vector<Point> corners, const Point& normal, double radius, std::vector<bool> joined,
-            double shift, double strength = 1.0);
+            double shift, double strength = 1.0, double exchange = 0.0);
 
   double height(const Point& x) const;
   const Point& normal() const { return normal_; }
   double shift() const { return shift_; }
-  /// Share of a bond's conductance that the piece takes away.
+  /// Share of a bond's conductance that the piece takes away if nothing passes the gap.
   double strength() const { return strength_; }
+  /// By how many spacings of slope temperatures jump because the gap resists; 0 if nothing passes it, or if heat passes
+  /// in other ways as well. `conductivity` around the crack.
+  double jump(double conductivity) const;
   /// Unit vectors along the piece: none in 1-D, one in 2-D, two in 3-D.
   const std::array<Point, 2>& tangents() const { return tangents_; }
 
-  /// What the piece with its effective tips cuts of the bond a–b: at tips a ramp one spacing wide.
-  Cut cut(const Point& a, const Point& b) const;
+  /// What the piece with its effective tips cuts of the bond a–b: at tips a ramp one spacing wide. `conductivity`: of
+  /// the bond.
+  Cut cut(const Point& a, const Point& b, double conductivity) const;
   /// Does a–b meet the piece, or its continuation up to `ahead` before a tip?
   bool meets(const Point& a, const Point& b, double ahead) const;
   double distance_to(const Point& x) const;
@@ -54,10 +60,13 @@ class FacePiece {
   bool touches(const Point& x, double tolerance) const;
   /// Lower and upper corner of a box around it.
   std::array<Point, 2> bounds() const;
+  /// The tip at its end is on its way.
+  void set_moving(bool moving) { moving_ = moving; }
   /// 2-D: ends of the piece that are tips, and the direction in which the crack would go on there.
   struct Tip {
     Point place, direction;
     bool at_end;  ///< of the piece, not at its beginning
+    bool moving;  ///< on its way
   };
   std::vector<Tip> tips() const;
 
@@ -77,15 +86,28 @@ class FacePiece {
   double radius_;
   double length_ = 0.0;  ///< 2-D
   std::size_t crack_ = 0;
+  bool moving_ = false;
   std::vector<bool> joined_;
   double shift_, strength_;
+  double exchange_;                                   ///< coefficient of the gap times the spacing [W/(m K)]
   std::vector<std::array<double, 2>> plane_corners_;  ///< 3-D
   Point lower_, upper_;                               ///< the box in which it acts
 };
 
-/// The pieces of all mirroring cracks of a body as they are at a time [s], with their images across walls within
+/// As what cracks are looked at.
+struct CrackMoment {
+  double time = HUGE_VAL;              ///< [s]
+  bool touching = true;                ///< cracks that are closed at that time conduct; otherwise all are open
+  std::span<const double> leads = {};  ///< per crack: by how much later its tip is looked at while it grows [s]
+};
+
+/// The pieces of all mirroring cracks of a body as they are at a moment, with their images across walls within
 /// `reach` spacings. `shifts` per crack, in spacings; negative: the crack does not mirror. Ends on walls, on other
 /// cracks and at kinks are no tips.
-std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double> shifts, double reach, double time);
+std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double> shifts, double reach,
+                                        const CrackMoment& moment);
+
+/// Index coordinates of a place [m]: those of a point of the grid are its indices.
+Point in_spacings(const Grid& grid, const Point& x);
 
 }  // namespace peritherm

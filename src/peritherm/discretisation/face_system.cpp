@@ -14,7 +14,7 @@ constexpr double elastic_share = 1e-4;
 
 }  // namespace
 
-FaceMoments FaceFrame::operator()(const Point& step) const {
+FaceMoments FaceFrame::operator()(const Point& step, Way way) const {
   FaceMoments m{};
   const double across = dot(step, normal);
   std::size_t c = 0;
@@ -23,20 +23,25 @@ FaceMoments FaceFrame::operator()(const Point& step) const {
   if (dimension > 1) m[c++] = m[0] * m[0];
   if (dimension > 2) m[c++] = m[1] * m[1];
   if (dimension > 2) m[c++] = m[0] * m[1];
-  m[c] = across * (across + 2.0 * height);
+  m[c++] = across * (across + 2.0 * height);
+  if (jump > 0.0) m[c] = across + (way == Way::exchanges ? std::copysign(jump, -height) : 0.0);
   return m;
 }
 
-FaceSystem::FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points)
+FaceSystem::FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points, const FaceShares& shares)
     : stencil_(stencil), points_(points), table_(stencil), classes_(body, stencil, table_) {
   double second_moment = 0.0;
   for (const auto& [offset, conductance] : stencil.entries) second_moment += conductance * offset[0] * offset[0];
   for (const auto& [offset, conductance] : stencil.entries) weights_.push_back(2.0 * conductance / second_moment);
+  const auto& pieces = points.pieces();
+  exchanges_ = std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.jump(1.0) > 0.0; });
+  moments_ = FaceFrame{.dimension = body.grid.dimension}.count() + (exchanges_ ? 1 : 0);
   for (std::size_t n = 0; n < points.points().size(); ++n) {
-    if (points.points()[n].has_row) add_row(body, n);
+    if (points.points()[n].has_row) add_row(body, n, shares);
   }
   find_members();
   scale_rows();
+  scale_members();
 }
 
 double FaceSystem::weight(std::size_t e) const {
@@ -45,30 +50,31 @@ double FaceSystem::weight(std::size_t e) const {
 
 FaceMoments FaceSystem::moments_of(const Row& row, int entry) const {
   const GridIndex& offset = stencil_.entries[static_cast<std::size_t>(entry)].offset;
-  return row.frame({static_cast<double>(offset[0]), static_cast<double>(offset[1]), static_cast<double>(offset[2])});
+  return row.frame({static_cast<double>(offset[0]), static_cast<double>(offset[1]), static_cast<double>(offset[2])},
+                   points_.points()[row.point].way(static_cast<std::size_t>(entry)));
 }
 
-FaceMoments FaceSystem::scaled_moments(const Member& member) const {
-  FaceMoments m = moments_of(rows_[member.row], member.entry);
-  for (std::size_t c = 0; c < moments(); ++c) {
-    const double scale = scale_[member.row * moments() + c];
-    m[c] = scale > 0.0 ? m[c] / scale : 0.0;
+void FaceSystem::scale_members() {
+  for (const Member& member : members_) {
+    FaceMoments m = moments_of(rows_[member.row], member.entry);
+    for (std::size_t c = 0; c < moments(); ++c) {
+      const double scale = scale_[member.row * moments() + c];
+      m[c] = scale > 0.0 ? m[c] / scale : 0.0;
+    }
+    scaled_.push_back(m);
   }
-  return m;
 }
 
 void FaceSystem::gather(const std::vector<double>& lambda, std::vector<double>& result) const {
   result.resize(class_count());
-  std::vector<double> coefficients(lambda.size());
-  for (std::size_t n = 0; n < lambda.size(); ++n) coefficients[n] = scale_[n] > 0.0 ? lambda[n] / scale_[n] : 0.0;
   const auto count = static_cast<std::int64_t>(class_count());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count > 4096)
   for (std::int64_t number = 0; number < count; ++number) {
     const auto e = static_cast<std::size_t>(number);
     double sum = 0.0;
     for (const Member& member : members(e)) {
-      const FaceMoments m = moments_of(rows_[member.row], member.entry);
-      const double* const own = coefficients.data() + member.row * moments();
+      const FaceMoments& m = scaled_moments(member);
+      const double* const own = lambda.data() + member.row * moments();
       for (std::size_t c = 0; c < moments(); ++c) sum += own[c] * m[c];
     }
     result[e] = sum / times_[e];
@@ -78,7 +84,7 @@ void FaceSystem::gather(const std::vector<double>& lambda, std::vector<double>& 
 void FaceSystem::scatter(const std::vector<double>& values, std::vector<double>& result) const {
   result.resize(target_.size());
   const auto count = static_cast<std::int64_t>(rows_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count > 1024)
   for (std::int64_t row = 0; row < count; ++row) {
     const auto r = static_cast<std::size_t>(row);
     FaceMoments sum{};
@@ -94,25 +100,33 @@ void FaceSystem::scatter(const std::vector<double>& values, std::vector<double>&
   }
 }
 
-void FaceSystem::add_row(const Body& body, std::size_t n) {
+void FaceSystem::add_row(const Body& body, std::size_t n, const FaceShares& shares) {
   const FacePoint& point = points_.points()[n];
   const FacePiece& piece = points_.pieces()[static_cast<std::size_t>(point.frame)];
   Row row{n,
-          {body.grid.dimension, piece.normal(), piece.tangents(), piece.height(point.place)},
+          {body.grid.dimension, piece.normal(), piece.tangents(), piece.height(point.place),
+           piece.jump(point.conductivity)},
           bonds_.size(),
           body.grid.volume_share(point.index)};
-  moments_ = row.frame.count();
+  const auto known = shares.find(body.grid.number(point.index));
   FaceMoments target{};
   for (int c = 0; c < moments_; ++c) target[c] = row.frame.is_square(c) ? 2.0 * (point.volume - 1.0) : 0.0;
+  const auto aim = [&](double weight, const FaceMoments& moments, int count) {
+    for (int c = 0; c < count; ++c) target[c] += weight * moments[c];
+  };
   for (std::size_t k = 0; k < stencil_.entries.size(); ++k) {
-    const double cut = point.cut.empty() ? 0.0 : point.cut[k];
+    const double cut = point.cut_of(k);
     if (cut > 0.0) {
       const Point end = points_.unfolded_end(n, static_cast<int>(k));
-      const FaceMoments mirrored = row.frame(difference(end, point.place));
-      for (int c = 0; c < moments_; ++c) target[c] += weights_[k] * cut * mirrored[c];
+      aim(weights_[k] * cut, row.frame(difference(end, point.place), Way::free), row.frame.count());
     }
-    if (!point.parted.empty() && point.parted[k] != 0) continue;
-    bonds_.push_back({class_of(n, static_cast<int>(k)), static_cast<std::int32_t>(k)});
+    if (point.way(k) == Way::parted) continue;
+    if (points_.is_kept(body, point, static_cast<int>(k))) {
+      const double share = known == shares.end() ? 1.0 : known->second[k];
+      aim(weights_[k] * (1.0 - cut - share), moments_of(row, static_cast<int>(k)), moments_);
+    } else {
+      bonds_.push_back({class_of(n, static_cast<int>(k)), static_cast<std::int32_t>(k)});
+    }
   }
   rows_.push_back(row);
   target_.insert(target_.end(), target.begin(), target.begin() + moments_);
@@ -127,7 +141,10 @@ std::int32_t FaceSystem::class_of(std::size_t n, int k) {
   const std::int64_t other = points_.find(classes_.reversed(point.index, k).first);
   const FacePoint* const end = other < 0 ? nullptr : &points_.points()[static_cast<std::size_t>(other)];
   const bool watched = (end != nullptr && (end->has_row || end->near_tip)) || point.near_tip;
-  strength_.push_back(watched ? 1.0 : unwatched_weight);
+  base_.push_back(1.0 - point.cut_of(static_cast<std::size_t>(k)));
+  // Heat that crosses a gap has a slope at the far ends, where a changed bond would move it.
+  const double unwatched = exchanges_ ? 0.0 : unwatched_weight;
+  strength_.push_back((watched ? 1.0 : unwatched) * base_.back());
   times_.push_back(classes_.weight(point.index, k));
   return found->second;
 }

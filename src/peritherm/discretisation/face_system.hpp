@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "peritherm/discretisation/bond_classes.hpp"
-#include "peritherm/discretisation/face_rows.hpp"
+#include "peritherm/discretisation/face_points.hpp"
 
 namespace peritherm {
 
-/// s, all products of s, and d² differences of a bond: 1 in 1-D, 3 in 2-D, 6 in 3-D.
-using FaceMoments = std::array<double, 6>;
+/// s, all products of s, and d² differences of a bond: 1 in 1-D, 3 in 2-D, 6 in 3-D; where heat is exchanged across the
+/// gap, behind them the difference of a temperature with slope 1 across the face and the jump that belongs to it.
+using FaceMoments = std::array<double, 7>;
+/// The bonds that start at a point with the given shares, by its number.
+using FaceShares = std::unordered_map<std::size_t, std::vector<double>>;
 
 /// The coordinates of a point's face: s along it, d across.
 struct FaceFrame {
@@ -20,21 +23,25 @@ struct FaceFrame {
   Point normal{};
   std::array<Point, 2> tangents{};
   double height = 0.0;  ///< d of the point
+  double jump = 0.0;    ///< of a temperature with slope 1 across the face, in spacings; 0: insulated
 
   int count() const { return dimension == 3 ? 6 : dimension == 2 ? 3 : 1; }
   /// Does the bulk conduct this moment, as it does s² and d²?
-  bool is_square(int c) const { return dimension == 3 ? c >= 2 && c != 4 : c >= count() - dimension; }
-  FaceMoments operator()(const Point& step) const;
+  bool is_square(int c) const { return c < count() && (dimension == 3 ? c >= 2 && c != 4 : c >= count() - dimension); }
+  /// Moments of a step; `way` as for the bond.
+  FaceMoments operator()(const Point& step, Way way) const;
 };
 
 /// The linear equations of the fit: moments of the bonds of each point with a row, over classes of bonds, scaled.
 class FaceSystem {
  public:
-  FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points);
+  /// `shares`: of the bonds that are kept.
+  FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points, const FaceShares& shares);
 
-  std::size_t row_count() const { return rows_.size(); }
   std::size_t class_count() const { return strength_.size(); }
   std::size_t moments() const { return static_cast<std::size_t>(moments_); }
+  /// Does heat pass between the faces?
+  bool exchanges() const { return exchanges_; }
   /// Number of row r's point in FacePoints.
   std::size_t point_of(std::size_t r) const { return rows_[r].point; }
 
@@ -48,7 +55,8 @@ class FaceSystem {
   /// Conductance of a class before the fit as far as it may change, and how many bonds it stands for.
   double weight(std::size_t e) const;
   double times(std::size_t e) const { return times_[e]; }
-  /// Share of a class's conductance that may change.
+  /// A class's share before the fit, and what is added to it if the part that may change doubles.
+  double base(std::size_t e) const { return base_[e]; }
   double strength(std::size_t e) const { return strength_[e]; }
 
   /// result[e] = Σ_r K_re λ_r / times(e)
@@ -65,7 +73,9 @@ class FaceSystem {
     return std::span(members_).subspan(member_begin_[e], member_begin_[e + 1] - member_begin_[e]);
   }
   /// Column of K that a member makes, over the scales of its row.
-  FaceMoments scaled_moments(const Member& member) const;
+  const FaceMoments& scaled_moments(const Member& member) const {
+    return scaled_[static_cast<std::size_t>(&member - members_.data())];
+  }
 
   const BondClasses& classes() const { return classes_; }
 
@@ -81,10 +91,11 @@ class FaceSystem {
     std::int32_t entry;
   };
 
-  void add_row(const Body& body, std::size_t n);
+  void add_row(const Body& body, std::size_t n, const FaceShares& shares);
   std::int32_t class_of(std::size_t n, int k);
   void find_members();
   void scale_rows();
+  void scale_members();
   std::size_t row_end(std::size_t r) const { return r + 1 < rows_.size() ? rows_[r + 1].begin : bonds_.size(); }
   FaceMoments moments_of(const Row& row, int entry) const;
 
@@ -94,12 +105,14 @@ class FaceSystem {
   BondClasses classes_;
   std::vector<double> weights_;  ///< per entry of the stencil, Σ ½ w ξ_x² = 1
   int moments_ = 1;
+  bool exchanges_ = false;
   std::vector<Row> rows_;
   std::vector<RowBond> bonds_;
   std::unordered_map<std::uint64_t, std::int32_t> number_of_;
-  std::vector<double> strength_, times_;
+  std::vector<double> base_, strength_, times_;
   std::vector<std::size_t> member_begin_;
   std::vector<Member> members_;
+  std::vector<FaceMoments> scaled_;  ///< per member
   std::vector<double> target_, scale_, elasticity_;
 };
 

@@ -13,13 +13,16 @@
 namespace peritherm {
 namespace {
 
-/// Radius of a patch in horizons. Commensurate lines of points repeat after some 27 spacings.
-double patch_radius(double horizon_ratio) { return std::clamp(40.0 / horizon_ratio, 5.0, 9.0); }
+constexpr double smallest_patch = 5.0;  ///< radius in horizons
+/// Commensurate lines of points repeat after some 27 spacings.
+double patch_radius(double horizon_ratio, bool moving) {
+  return moving ? smallest_patch : std::clamp(40.0 / horizon_ratio, smallest_patch, 9.0);
+}
 
 /// A bond changes by less than this share of what it conducts, or the patch has too few bonds to be trusted.
 constexpr double largest_change = 1.0;
 constexpr int modes = 3;
-constexpr int newton_rounds = 4;
+constexpr int newton_rounds = 2;  ///< leave forces of 1e-7 to 1e-5
 
 /// A square patch of points with the end of a crack in its middle.
 Body make_patch(const TipPlace& tip, int half) {
@@ -39,13 +42,14 @@ Body make_patch(const TipPlace& tip, int half) {
 class TipPatch {
  public:
   TipPatch(const Stencil& stencil, double horizon_ratio, const TipPlace& tip, double shift)
-      : stencil_(stencil), ratio_(horizon_ratio), radius_(patch_radius(horizon_ratio) * horizon_ratio) {
+      : stencil_(stencil), ratio_(horizon_ratio), radius_(patch_radius(horizon_ratio, tip.moving) * horizon_ratio) {
     half_ = static_cast<int>(std::ceil(radius_)) + 2 * stencil.radius + 2;
     width_ = 2 * half_ + 1;
     double second_moment = 0.0;
     for (const auto& [offset, conductance] : stencil.entries) second_moment += conductance * offset[0] * offset[0];
     for (const auto& [offset, conductance] : stencil.entries) {
       weights_.push_back(2.0 * conductance / second_moment);
+      weight_sum_ += weights_.back();
       distances_.push_back(offset[0] + static_cast<std::ptrdiff_t>(width_) * offset[1]);
     }
     place_modes(tip);
@@ -107,7 +111,7 @@ class TipPatch {
 
   /// 1 near the tip and 0 at the rim, smooth, so that the rim's own errors count nothing.
   double window_at(double horizons) const {
-    const double u = std::clamp((horizons - 1.2) / (patch_radius(ratio_) - 1.7), 0.0, 1.0);
+    const double u = std::clamp((horizons - 1.2) / (radius_ / ratio_ - 1.7), 0.0, 1.0);
     return 1.0 - u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
   }
 
@@ -117,11 +121,10 @@ class TipPatch {
 
   void fit(const TipPlace& tip, double shift) {
     const Body body = make_patch(tip, half_);
-    const std::vector<FacePiece> pieces =
-        make_face_pieces(body, std::array{shift}, longest_offset(stencil_) + 2.0, HUGE_VAL);
+    const std::vector<FacePiece> pieces = make_face_pieces(body, std::array{shift}, longest_offset(stencil_) + 2.0, {});
     FacePoints points(body, stencil_, pieces, ratio_);
     FaceFitReport report;
-    const auto shares = fit_faces(body, stencil_, points, report);
+    const auto shares = fit_faces(body, stencil_, points, {}, report);
     shares_.resize(modes_[0].size());
     for (std::size_t n = 0; n < shares.size(); ++n) {
       if (shares[n].empty()) continue;
@@ -164,10 +167,12 @@ class TipPatch {
       if (begin >= end) continue;
       double* const sums = result.data() + place(begin, y);
       const double* const own = temperature.data() + place(begin, y);
+      for (int x = 0; x < end - begin; ++x) sums[x] = -weight_sum_ * own[x];
       for (std::size_t k = 0; k < weights_.size(); ++k) {
+        if (distances_[k] < 0) continue;
         const double weight = weights_[k];
-        const double* const other = own + distances_[k];
-        for (int x = 0; x < end - begin; ++x) sums[x] += weight * (other[x] - own[x]);
+        const double *const after = own + distances_[k], *const before = own - distances_[k];
+        for (int x = 0; x < end - begin; ++x) sums[x] += weight * (after[x] + before[x]);
       }
     }
     for (const Bond& bond : special_) {
@@ -194,7 +199,7 @@ class TipPatch {
     for (std::size_t n = 0; n < size; ++n) residual[n] = residual_of_mode[n] + image[n];
     Values direction = residual;
     double square = product(residual, residual);
-    const double enough = 1e-13 * product(residual_of_mode, residual_of_mode);
+    const double enough = 1e-12 * product(residual_of_mode, residual_of_mode);
     for (int iteration = 0; iteration < 2000 && square > enough; ++iteration) {
       apply(direction, changes, image);
       const double length = -square / product(direction, image);
@@ -210,26 +215,23 @@ class TipPatch {
 
   /// One Newton step; false if nothing is left to do.
   bool improve(std::vector<double>& changes) {
-    std::array<Values, modes> balanced;
+    Values residual(modes_[0].size()), balanced = modes_[0];
+    apply(modes_[0], changes, residual);
+    lack_.resize(residual.size(), 0.0);
+    balance(residual, changes, lack_);
+    for (std::size_t n = 0; n < residual.size(); ++n) balanced[n] += lack_[n];
     std::array<double, modes> force{};
     for (int a = 0; a < modes; ++a) {
-      Values residual(modes_[a].size());
-      apply(modes_[a], changes, residual);
-      lacks_[a].resize(residual.size(), 0.0);
-      balance(residual, changes, lacks_[a]);
-      balanced[a] = modes_[a];
-      for (std::size_t n = 0; n < residual.size(); ++n) {
-        balanced[a][n] += lacks_[a][n];
-        // The first mode's balanced field against the residual of each mode.
-        force[a] += window_[n] * balanced[0][n] * residual[n];
-      }
+      if (a > 0) apply(modes_[a], changes, residual);
+      for (std::size_t n = 0; n < residual.size(); ++n) force[a] += window_[n] * balanced[n] * residual[n];
     }
     if (std::max({std::abs(force[0]), std::abs(force[1]), std::abs(force[2])}) < 1e-6) return false;
     std::array<std::array<double, modes + 1>, modes> equations{};
     std::vector<std::array<double, modes>> products(near_.size());
     for (std::size_t b = 0; b < near_.size(); ++b) {
-      const auto rise = [&](int a) { return balanced[a][near_[b].second] - balanced[a][near_[b].first]; };
-      for (int a = 0; a < modes; ++a) products[b][a] = rise(0) * rise(a);
+      // Of the other modes the exact fields do: they decide how fast the rounds converge, not where to.
+      const auto rise = [&](const Values& field) { return field[near_[b].second] - field[near_[b].first]; };
+      for (int a = 0; a < modes; ++a) products[b][a] = rise(balanced) * rise(a == 0 ? balanced : modes_[a]);
       for (int a = 0; a < modes; ++a) {
         for (int c = 0; c < modes; ++c) equations[a][c] += near_[b].conductance * products[b][a] * products[b][c];
         equations[a][modes] += products[b][a] * changes[b];
@@ -265,9 +267,11 @@ class TipPatch {
   const Stencil& stencil_;
   double ratio_, radius_;
   int half_ = 0, width_ = 0;
-  std::vector<double> weights_;
+  std::vector<double> weights_;  ///< the same both ways
+  double weight_sum_ = 0.0;
   std::vector<std::ptrdiff_t> distances_;
-  std::array<Values, modes> modes_, lacks_;
+  std::array<Values, modes> modes_;
+  Values lack_;  ///< what balances the first mode
   Values distance_to_tip_, window_;
   std::vector<int> row_begin_, row_end_;
   std::vector<std::vector<double>> shares_;
@@ -300,7 +304,7 @@ class KnownTips {
 
 std::vector<TipChange> calibrate_tip(const Stencil& stencil, double horizon_ratio, const TipPlace& tip, double shift) {
   static KnownTips known;
-  KnownTips::Key key{horizon_ratio, tip.x, tip.y, tip.angle, tip.at_end ? 1.0 : 0.0, shift};
+  KnownTips::Key key{horizon_ratio, tip.x, tip.y, tip.angle, tip.at_end ? 1.0 : 0.0, tip.moving ? 1.0 : 0.0, shift};
   double largest = 0.0;
   for (const StencilEntry& entry : stencil.entries) largest = std::max(largest, entry.conductance);
   for (const StencilEntry& entry : stencil.entries) key.push_back(entry.conductance / largest);

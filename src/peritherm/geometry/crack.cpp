@@ -63,7 +63,9 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     for (const Point& point : points_) plane_corners_.push_back(in_plane(point));
   }
   adjusts_tips_ = !crack.tip_shift || std::holds_alternative<AutomaticTipShift>(*crack.tip_shift);
-  mirrors_ = crack.faces == Faces::mirror && !changes_in_time();
+  mirrors_ = crack.faces == Faces::mirror;
+  if (crack.gap) gap_coefficient_ = peritherm::gap_coefficient(*crack.gap);
+  if (crack.contact) contact_changes_ = peritherm::contact_changes(*crack.contact);
   measure_segments();
   lower_ = upper_ = points_[0];
   for (int axis = 0; axis < 3; ++axis) {
@@ -121,7 +123,26 @@ Point CrackSurface::normal_of(int part) const {
   return {-direction[1], direction[0], 0.0};
 }
 
-std::optional<double> CrackSurface::crossing_time(const Point& a, const Point& b, std::span<const int> parts) const {
+double CrackSurface::transmission(double across, double conductivity) const {
+  if (gap_coefficient_ == 0.0) return transmission_;
+  const double exchanged = gap_coefficient_ * std::abs(across);
+  return transmission_ + (1.0 - transmission_) * exchanged / (exchanged + conductivity);
+}
+
+double CrackSurface::contact(double time) const {
+  double share = 0.0;
+  for (const ContactChange& change : contact_changes_) share = change.time <= time ? change.share : share;
+  return share;
+}
+
+double CrackSurface::end_time() const {
+  if (tip_speed_ == 0.0 || dimension_ == 1) return start_time_;
+  double longest = dimension_ == 2 ? arc_.back() : radius_;
+  for (const auto& corner : plane_corners_) longest = std::max(longest, corner[1]);
+  return start_time_ + longest / tip_speed_;
+}
+
+std::optional<CrackPassage> CrackSurface::passage(const Point& a, const Point& b, std::span<const int> parts) const {
   for (int axis = 0; axis < dimension_; ++axis) {
     if (std::max(a[axis], b[axis]) < lower_[axis] - tolerance_) return std::nullopt;
     if (std::min(a[axis], b[axis]) > upper_[axis] + tolerance_) return std::nullopt;
@@ -130,17 +151,17 @@ std::optional<double> CrackSurface::crossing_time(const Point& a, const Point& b
   const bool ordered = a < b;
   const Point& first = ordered ? a : b;
   const Point& second = ordered ? b : a;
-  if (dimension_ == 3) return crossing_time_3d(first, second);
-  if (dimension_ == 2) return crossing_time_2d(first, second, parts);
+  if (dimension_ == 3) return passage_3d(first, second);
+  if (dimension_ == 2) return passage_2d(first, second, parts);
   const double position = points_[0][0] - tolerance_;
   if ((first[0] >= position) == (second[0] >= position)) return std::nullopt;
-  return start_time_;
+  return CrackPassage{start_time_, 0};
 }
 
 // A point that lies on the line of a segment, beyond its ends, counts as on its left: a bond along that line
 // crosses nothing, whatever the rounding of its ends.
-std::optional<double> CrackSurface::crossing_time_2d(const Point& a, const Point& b, std::span<const int> parts) const {
-  std::optional<double> earliest;
+std::optional<CrackPassage> CrackSurface::passage_2d(const Point& a, const Point& b, std::span<const int> parts) const {
+  std::optional<CrackPassage> earliest;
   for (const int part : parts) {
     const double height_a = height_above(part, a);
     const double height_b = height_above(part, b);
@@ -154,19 +175,19 @@ std::optional<double> CrackSurface::crossing_time_2d(const Point& a, const Point
     const double last = k + 2 == points_.size() && !closed_ ? -tolerance_ : tolerance_;
     if (place < first || place > segment_length + last) continue;
     const double time = time_after(arc_[k] + place);
-    if (!earliest || time < *earliest) earliest = time;
+    if (!earliest || time < earliest->time) earliest = CrackPassage{time, part};
   }
   return earliest;
 }
 
-std::optional<double> CrackSurface::crossing_time_3d(const Point& a, const Point& b) const {
+std::optional<CrackPassage> CrackSurface::passage_3d(const Point& a, const Point& b) const {
   const double height_a = height_above(0, a);
   const double height_b = height_above(0, b);
   if ((height_a >= -tolerance_) == (height_b >= -tolerance_)) return std::nullopt;
   const Point x = between(a, b, std::clamp(height_a / (height_a - height_b), 0.0, 1.0));
   if (!contains(x)) return std::nullopt;
   const auto [along, across] = in_plane(x);
-  return time_after(radius_ > 0.0 ? std::hypot(along, across) : across);
+  return CrackPassage{time_after(radius_ > 0.0 ? std::hypot(along, across) : across), 0};
 }
 
 void CrackSurface::nudge(const Point& point, Point& shift, std::span<const int> parts) const {

@@ -63,6 +63,78 @@ struct GivenTipShift {
 /// By how much the effective tips of cracks with mirroring faces are pulled back.
 using TipShift = std::variant<AutomaticTipShift, NoTipShift, GivenTipShift>;
 
+/// Heat passes between the faces as by convection.
+struct GapConvection {
+  double coefficient = 0.0;
+  static constexpr std::string_view name = "convection";
+  static constexpr std::string_view help = "h times the difference of the temperatures of the faces";
+  static constexpr auto options() {
+    return std::tuple{
+        required("coefficient", &GapConvection::coefficient, "W/(m^2 K)", positive, "h, per area of the crack")};
+  }
+  bool operator==(const GapConvection&) const = default;
+};
+
+/// Heat passes between the faces by radiation, for small differences around a known absolute temperature.
+struct GapRadiation {
+  std::vector<double> emissivities;
+  double temperature = 0.0;
+  static constexpr std::string_view name = "radiation";
+  static constexpr std::string_view help =
+      "grey parallel faces: h = 4 sigma T^3 / (1/e1 + 1/e2 - 1), right to (difference / 2 T)^2";
+  static constexpr auto options() {
+    return std::tuple{
+        required("emissivities", &GapRadiation::emissivities, "", zero_to_one, "of both faces"),
+        required("temperature", &GapRadiation::temperature, "K", positive, "absolute mean temperature of the faces")};
+  }
+  bool operator==(const GapRadiation&) const = default;
+};
+
+using GapExchange = std::variant<GapConvection, GapRadiation>;
+
+/// h of an exchange across a gap [W/(m² K)].
+double gap_coefficient(const GapExchange& gap);
+
+struct ContactAtTimes {
+  std::vector<double> times, shares;
+  static constexpr std::string_view name = "times";
+  static constexpr std::string_view help = "the faces touch and open at given times";
+  static constexpr auto options() {
+    return std::tuple{
+        required("times", &ContactAtTimes::times, "s", not_negative, "when what the faces conduct changes, ascending"),
+        required("shares", &ContactAtTimes::shares, "", zero_to_one,
+                 "from each of these times on: 1 as if there was no crack, 0 open again")};
+  }
+  bool operator==(const ContactAtTimes&) const = default;
+};
+
+struct ContactByOpening {
+  std::vector<double> times, openings;
+  double closed_below = 0.0, share = 1.0;
+  static constexpr std::string_view name = "opening";
+  static constexpr std::string_view help = "the faces touch where a given opening displacement is small";
+  static constexpr auto options() {
+    return std::tuple{
+        required("times", &ContactByOpening::times, "s", not_negative, "of the openings, ascending"),
+        required("openings", &ContactByOpening::openings, "m", any_number,
+                 "opening displacement at these times; straight lines in between"),
+        optional("closed_below", &ContactByOpening::closed_below, "m", not_negative, "opening up to which faces touch"),
+        optional("share", &ContactByOpening::share, "", zero_to_one,
+                 "conducted where they touch; 1 as if there was no crack")};
+  }
+  bool operator==(const ContactByOpening&) const = default;
+};
+
+/// When the faces of a crack touch and conduct again.
+using FaceContact = std::variant<ContactAtTimes, ContactByOpening>;
+
+/// From a time on the faces conduct this share of what there would be without a crack.
+struct ContactChange {
+  double time, share;
+};
+/// Ascending; before the first of them the crack is open.
+std::vector<ContactChange> contact_changes(const FaceContact& contact);
+
 /// A surface that interrupts heat: a position in 1-D, a polyline in 2-D, a plane polygon or a disc in 3-D.
 struct Crack {
   std::vector<Coordinates> points;  ///< 1-D: one, 2-D: two or more, 3-D: three or more corners in one plane [m]
@@ -72,6 +144,8 @@ struct Crack {
   std::optional<double> tip_speed;  ///< speed of the tip along the polyline, or of the front [m/s]
   std::optional<Faces> faces;       ///< left out: as the model has it, see resolved
   std::optional<TipShift> tip_shift;
+  std::optional<GapExchange> gap;      ///< heat exchange between the faces; none: no heat passes
+  std::optional<FaceContact> contact;  ///< none: the faces never touch
 
   static constexpr auto options() {
     return std::tuple{
@@ -86,13 +160,21 @@ struct Crack {
                  "the whole crack at once"),
         optional("faces", &Crack::faces, "bonds that the crack passes: mirrored or cut; default: as nonlocality.faces"),
         optional("tip_shift", &Crack::tip_shift,
-                 "by how much effective tips are pulled back where faces mirror; default: as nonlocality.tip_shift")};
+                 "by how much effective tips are pulled back where faces mirror; default: as nonlocality.tip_shift"),
+        optional("gap", &Crack::gap, "heat exchange between the faces of the crack; left out: none"),
+        optional("contact", &Crack::contact, "when the faces touch and conduct again; left out: never")};
   }
   bool operator==(const Crack&) const = default;
 };
 
 /// What is wrong with the crack in a body of this dimension; empty if nothing is.
 std::string find_fault(const Crack& crack, int dimension);
+
+/// Where and when a crack passes a bond.
+struct CrackPassage {
+  double time;  ///< when the crack has passed the place where it crosses the bond [s]
+  int part;     ///< of the crack that does
+};
 
 /// An end of a polyline, with what lies before it.
 struct CrackTip {
@@ -111,7 +193,10 @@ class CrackSurface {
 
   /// When the crack has passed the place where it crosses the bond a–b [s]; none if it never does.
   /// The end points must have been moved off the crack by `nudge`.
-  std::optional<double> crossing_time(const Point& a, const Point& b) const { return crossing_time(a, b, parts_); }
+  std::optional<double> crossing_time(const Point& a, const Point& b) const {
+    const auto found = passage(a, b, parts_);
+    return found ? std::optional(found->time) : std::nullopt;
+  }
 
   /// Adds to `shift` what moves a point that lies on the crack off it, to its own side.
   void nudge(const Point& point, Point& shift) const { nudge(point, shift, parts_); }
@@ -125,7 +210,7 @@ class CrackSurface {
   /// The parts that reach into a box: numbers of the segments of a polyline; 0 for any other crack. Errs towards more.
   std::vector<int> parts_in(const Point& lower, const Point& upper) const;
   /// As above, looking at some parts only: where all others are known to be out of reach.
-  std::optional<double> crossing_time(const Point& a, const Point& b, std::span<const int> parts) const;
+  std::optional<CrackPassage> passage(const Point& a, const Point& b, std::span<const int> parts) const;
   void nudge(const Point& point, Point& shift, std::span<const int> parts) const;
 
   /// Lower and upper corner of a box around the crack.
@@ -146,17 +231,32 @@ class CrackSurface {
   /// Radius of a disc at a time [m]; 0 of anything else.
   double radius(double time) const;
 
+  /// Share of its conductance that a cut bond keeps while the faces are apart: `across` is its component along the
+  /// crack's normal [m], `conductivity` that of the body around it.
+  double transmission(double across, double conductivity) const;
+  /// The same without exchange across the gap.
   double transmission() const { return transmission_; }
+  /// h of the exchange across the gap [W/(m² K)].
+  double gap_coefficient() const { return gap_coefficient_; }
+  /// What the faces conduct because they touch, as a share of what there would be without a crack.
+  double contact(double time) const;
+  const std::vector<ContactChange>& contact_changes() const { return contact_changes_; }
   /// Bonds that it passes are mirrored, and not only cut.
   bool mirrors() const { return mirrors_; }
   /// Bonds around its tips are adjusted to their place on the grid.
   bool adjusts_tips() const { return adjusts_tips_; }
   /// True if bonds are cut after the start of the run.
-  bool changes_in_time() const { return tip_speed_ > 0.0 || start_time_ > 0.0; }
+  bool grows() const { return tip_speed_ > 0.0 || start_time_ > 0.0; }
+  bool changes_in_time() const { return grows() || !contact_changes_.empty(); }
+  double start_time() const { return start_time_; }
+  /// 0 if it does not grow [m/s].
+  double tip_speed() const { return tip_speed_; }
+  /// When it has grown to its end [s]; its start if it does not grow.
+  double end_time() const;
 
  private:
-  std::optional<double> crossing_time_2d(const Point& a, const Point& b, std::span<const int> parts) const;
-  std::optional<double> crossing_time_3d(const Point& a, const Point& b) const;
+  std::optional<CrackPassage> passage_2d(const Point& a, const Point& b, std::span<const int> parts) const;
+  std::optional<CrackPassage> passage_3d(const Point& a, const Point& b) const;
   bool contains(const Point& x) const;
   std::array<double, 2> in_plane(const Point& x) const;
   double time_after(double length) const;
@@ -167,6 +267,8 @@ class CrackSurface {
   int dimension_;
   double tolerance_;  ///< distance below which a point lies on the crack [m]
   double transmission_;
+  double gap_coefficient_ = 0.0;
+  std::vector<ContactChange> contact_changes_;
   double start_time_;
   double tip_speed_ = 0.0;  ///< 0: all at once
   bool mirrors_ = false;

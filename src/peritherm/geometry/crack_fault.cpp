@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "peritherm/geometry/coordinates.hpp"
 #include "peritherm/geometry/crack.hpp"
@@ -18,6 +19,38 @@ std::string number_fault(const Crack& crack, int dimension) {
   if (dimension == 1) return "a crack in 1-D is a position and cannot grow. Leave out 'tip_speed'";
   if (!positive.holds(*crack.tip_speed)) return "'tip_speed' must be positive. Leave it out for a standing crack";
   return {};
+}
+
+std::string times_fault(const std::vector<double>& times, std::size_t others, const std::string& of_others) {
+  if (times.empty()) return "'contact.times' is empty. Give at least one time";
+  if (times.size() != others) {
+    return "'contact.times' and '" + of_others + "' have " + std::to_string(times.size()) + " and " +
+           std::to_string(others) + " entries. Give one for each time";
+  }
+  if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
+    return "'contact.times' must ascend. Sort them, each once";
+  return {};
+}
+
+std::string fault_of(const ContactAtTimes& contact) {
+  return times_fault(contact.times, contact.shares.size(), "contact.shares");
+}
+
+std::string fault_of(const ContactByOpening& contact) {
+  return times_fault(contact.times, contact.openings.size(), "contact.openings");
+}
+
+std::string fault_of(const GapConvection&) { return {}; }
+
+std::string fault_of(const GapRadiation& gap) {
+  if (gap.emissivities.size() != 2) return "'gap.emissivities' needs one entry for each face. Give two";
+  if (gap.emissivities[0] > 0.0 && gap.emissivities[1] > 0.0) return {};
+  return "'gap.emissivities' must be positive. Leave out 'gap' if nothing is radiated";
+}
+
+template <class Variant>
+std::string fault_of_any(const std::optional<Variant>& chosen) {
+  return chosen ? std::visit([](const auto& kind) { return fault_of(kind); }, *chosen) : std::string();
 }
 
 std::string disc_fault(const Disc& disc, int dimension) {
@@ -108,6 +141,8 @@ std::string find_fault(const Crack& crack, int dimension) {
                           : "'points' is missing. Say where the crack is";
   }
   if (std::string fault = number_fault(crack, dimension); !fault.empty()) return fault;
+  if (std::string fault = fault_of_any(crack.gap); !fault.empty()) return fault;
+  if (std::string fault = fault_of_any(crack.contact); !fault.empty()) return fault;
   return crack.disc ? disc_fault(*crack.disc, dimension) : points_fault(crack, dimension);
 }
 

@@ -103,14 +103,14 @@ void BondCorrections::apply_row(std::size_t row, const double* temperature, doub
   if (weight == 0.0) return;
   const double* const centre = temperature + own.entry;
   double sum = 0.0;
-  kernels_.sum_points(list_of_row(row), &centre, 1, &sum);
+  kernels_.sum_points(list_of_row(row, parts_.differences), &centre, 1, &sum);
   result[own.entry] += weight * sum;
 }
 
-BondList BondCorrections::list_of_row(std::size_t row) const {
+BondList BondCorrections::list_of_row(std::size_t row, const std::vector<double>& differences) const {
   const std::int64_t begin = row == 0 ? 0 : parts_.rows[row - 1].end;
   return {static_cast<int>(parts_.rows[row].end - begin), nullptr, nullptr, parts_.distances.data() + begin,
-          parts_.differences.data() + begin};
+          differences.data() + begin};
 }
 
 const BondCorrections::Segment* BondCorrections::find_segment(std::int64_t entry) const {
@@ -122,35 +122,38 @@ const BondCorrections::Segment* BondCorrections::find_segment(std::int64_t entry
   return entry < segment.entry + segment.length ? &segment : nullptr;
 }
 
-std::array<BondList, 2> BondCorrections::lists_of(std::int64_t entry) const {
+std::array<BondList, 2> BondCorrections::lists_of(std::int64_t entry, const std::vector<double>& differences) const {
   std::array<BondList, 2> lists;
   if (const Segment* const segment = find_segment(entry)) lists[0] = parts_.patterns[segment->pattern];
   const auto row = std::lower_bound(parts_.rows.begin(), parts_.rows.end(), entry,
                                     [](const ChangingRow& r, std::int64_t wanted) { return r.entry < wanted; });
   if (row != parts_.rows.end() && row->entry == entry) {
-    lists[1] = list_of_row(static_cast<std::size_t>(row - parts_.rows.begin()));
+    lists[1] = list_of_row(static_cast<std::size_t>(row - parts_.rows.begin()), differences);
   }
   return lists;
 }
 
 void BondCorrections::for_raised(const std::function<void(std::size_t, double)>& visit) const {
+  const std::vector<double> peaks = parts_.cuts.peaks(parts_.differences);
   for (const Segment& segment : parts_.segments) {
     if (parts_.scales[segment.scale] == 0.0) continue;
-    const double shared = raised_at(static_cast<std::size_t>(segment.entry));
+    const double shared = raised_at(static_cast<std::size_t>(segment.entry), peaks);
     for (int k = 0; k < segment.length; ++k) {
       const auto entry = static_cast<std::size_t>(segment.entry + k);
-      visit(entry, parts_.rows.empty() ? shared : raised_at(entry));
+      visit(entry, parts_.rows.empty() ? shared : raised_at(entry, peaks));
     }
   }
   for (const ChangingRow& row : parts_.rows) {
     if (parts_.scales[row.scale] != 0.0)
-      visit(static_cast<std::size_t>(row.entry), raised_at(static_cast<std::size_t>(row.entry)));
+      visit(static_cast<std::size_t>(row.entry), raised_at(static_cast<std::size_t>(row.entry), peaks));
   }
 }
 
-double BondCorrections::raised_at(std::size_t entry) const {
+double BondCorrections::raised_at(std::size_t entry, const std::vector<double>& peaks) const {
   double raised = 0.0;
-  visit(entry, [&raised](std::int64_t, double difference) { raised += std::max(0.0, difference); });
+  for (const BondList& bonds : lists_of(static_cast<std::int64_t>(entry), peaks)) {
+    for (int k = 0; k < bonds.count; ++k) raised += std::max(0.0, bonds[k].difference);
+  }
   return raised;
 }
 

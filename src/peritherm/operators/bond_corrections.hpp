@@ -57,7 +57,7 @@ class BondCorrections {
   /// visited several times: the sum counts.
   template <class Visit>
   void visit(std::size_t entry, Visit&& visit) const {
-    for (const BondList& bonds : lists_of(static_cast<std::int64_t>(entry))) {
+    for (const BondList& bonds : lists_of(static_cast<std::int64_t>(entry), parts_.differences)) {
       for (int k = 0; k < bonds.count; ++k) visit(bonds[k].distance, bonds[k].difference);
     }
   }
@@ -68,7 +68,8 @@ class BondCorrections {
   /// Entries of points whose bonds change in time, ascending.
   std::vector<std::size_t> changing_points() const;
 
-  /// Calls visit(entry, Σ of the differences that raise a conductance) for all corrected points that are not held.
+  /// Calls visit(entry, Σ of the differences that raise a conductance) for all corrected points that are not held;
+  /// those that change in time as far as they ever do.
   void for_raised(const std::function<void(std::size_t, double)>& visit) const;
 
   bool empty() const { return parts_.segments.empty() && parts_.rows.empty(); }
@@ -77,10 +78,10 @@ class BondCorrections {
 
  private:
   /// The bonds that stay, and those that change.
-  std::array<BondList, 2> lists_of(std::int64_t entry) const;
-  BondList list_of_row(std::size_t row) const;
+  std::array<BondList, 2> lists_of(std::int64_t entry, const std::vector<double>& differences) const;
+  BondList list_of_row(std::size_t row, const std::vector<double>& differences) const;
   const Segment* find_segment(std::int64_t entry) const;
-  double raised_at(std::size_t entry) const;
+  double raised_at(std::size_t entry, const std::vector<double>& peaks) const;
   void apply_block(std::size_t block, const double* temperature, double rate_weight, double* result) const;
   void apply_row(std::size_t row, const double* temperature, double rate_weight, double* result) const;
   void order_by_entry();

@@ -23,9 +23,13 @@ class BondOperator final : public ConductionOperator {
     neighbours_.assign(bonds_.neighbours.begin(), bonds_.neighbours.end());
     bonds_.neighbours = {};
     if (precision == Precision::single) round_conductances();
+    const std::vector<double> peaks =
+        bonds_.cuts.empty() ? std::vector<double>{} : bonds_.cuts.peaks(bonds_.conductances);
     for (std::size_t row = 0; row < rows(); ++row) {
       double sum = 0.0;
-      for (BondIndex b = bonds_.row_begin[row]; b < bonds_.row_begin[row + 1]; ++b) sum += conductance(b);
+      for (BondIndex b = bonds_.row_begin[row]; b < bonds_.row_begin[row + 1]; ++b) {
+        sum += peaks.empty() ? conductance(b) : peaks[static_cast<std::size_t>(b)];
+      }
       bound_ = std::max(bound_, 2.0 * sum * inverse_capacities_[row]);
       free_points_ += inverse_capacities_[row] > 0.0 ? 1 : 0;
     }

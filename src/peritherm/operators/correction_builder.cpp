@@ -170,6 +170,7 @@ class BlockBuilder {
     const MaterialIndex other = inside ? body.material_of[body.grid.number(q)] : body.material_of_extended(q);
     path_.conductivity = 0.0;
     path_.crossings.clear();
+    path_.faces.clear();
     if (other != no_material) {
       plan_.tracer.trace(nearby_, body.grid.position(p), material, body.grid.position(q), other, path_);
     }
@@ -180,8 +181,8 @@ class BlockBuilder {
     if (other_partner) row_.push_back({-stencil_conductance, distance_between(p, q)});
     const double offset = other_partner ? 0.0 : -stencil_conductance;
     const double difference = offset + full * standing_share(path_);
-    const bool changes = std::any_of(path_.crossings.begin(), path_.crossings.end(),
-                                     [](const Crossing& crossing) { return crossing.in_time; });
+    const bool changes = !path_.faces.empty() || std::any_of(path_.crossings.begin(), path_.crossings.end(),
+                                                             [](const Crossing& crossing) { return crossing.in_time; });
     if (changes) {
       block_.cuts.add(block_.differences.size(), offset, full, path_);
       block_.distances.push_back(static_cast<std::int32_t>(distance_between(p, partner)));

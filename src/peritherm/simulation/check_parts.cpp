@@ -212,9 +212,11 @@ void check_crack_growth(Checker& checker, std::string_view integrator) {
   const auto& cracks = checker.problem.cracks;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     const bool late = cracks[i].start_time > 0.0 && cracks[i].start_time < checker.problem.time.end;
-    if (!cracks[i].tip_speed && !late) continue;
-    checker.add(entry("crack", i) + (cracks[i].tip_speed ? ".tip_speed" : ".start_time"),
-                "the integrator '" + std::string(integrator) + "' cannot follow cracks that grow or appear",
+    if (!cracks[i].tip_speed && !late && !cracks[i].contact) continue;
+    checker.add(entry("crack", i) + (cracks[i].tip_speed ? ".tip_speed"
+                                     : late              ? ".start_time"
+                                                         : ".contact"),
+                "the integrator '" + std::string(integrator) + "' cannot follow cracks that grow, appear or close",
                 "Choose the integrator \"rkl2\", which can");
   }
 }
@@ -238,17 +240,6 @@ void check_one_sided(Checker& checker) {
               "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
 }
 
-/// Mirrored bonds do not follow tips.
-void check_faces(Checker& checker, const std::string& key, const Crack& crack) {
-  const Faces faces = crack.faces.value_or(checker.problem.nonlocality.faces.value_or(Faces::cut));
-  if (faces == Faces::cut || !(crack.tip_speed || crack.start_time > 0.0)) return;
-  checker.add(key + (crack.faces       ? ".faces"
-                     : crack.tip_speed ? ".tip_speed"
-                                       : ".start_time"),
-              "faces mirror only where a crack neither grows nor appears later",
-              "Write faces = \"cut\" for this crack, or let it be there from the start");
-}
-
 }  // namespace
 
 void check_cracks(Checker& checker) {
@@ -258,8 +249,10 @@ void check_cracks(Checker& checker) {
     if (!checker.sound(key)) continue;
     const std::string place = key + (cracks[i].disc ? ".disc" : ".points");
     const std::string fault = find_fault(cracks[i], checker.grid->dimension);
-    check_faces(checker, key, cracks[i]);
-    const std::string guilty = fault.find("'tip_speed'") == std::string::npos ? place : key + ".tip_speed";
+    std::string guilty = place;
+    for (const char* name : {"tip_speed", "gap", "contact"}) {
+      if (fault.find(std::string("'") + name) != std::string::npos) guilty = key + "." + name;
+    }
     if (!checker.accept(guilty, fault) || !misses_body(cracks[i], *checker.grid)) continue;
     checker.add(place, "the crack is outside the body", box_text(*checker.grid));
   }

@@ -27,7 +27,7 @@ std::vector<double> tip_shifts(const Problem& problem, const Geometry& geometry)
 MirroredFaces mirror_cracks(const Problem& problem, const Geometry& geometry) {
   const Body& body = geometry.body;
   return mirror_faces(body, geometry.stencil, geometry.stencil_options.horizon / body.grid.spacing,
-                      tip_shifts(problem, geometry));
+                      tip_shifts(problem, geometry), problem.time.end);
 }
 
 }  // namespace peritherm

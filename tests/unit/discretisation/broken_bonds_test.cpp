@@ -135,7 +135,7 @@ TEST(BrokenBonds, one_gap_does_not_count_twice) {
   EXPECT_EQ(share.value(), 0.5);
   share.pass({1.0, 0.3, true, true});
   EXPECT_EQ(share.value(), 0.3);
-  share.pass({2.0, 0.5, true});
+  share.pass({2.0, 0.5, true, false, 1});
   EXPECT_EQ(share.value(), 0.25);
 }
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace peritherm {
+
+/// What a bond conducts of what it would at a time [s]; linear from one knot to the next, constant before the first and
+/// after the last. Two knots at one time are a jump.
+struct ShareKnot {
+  double time, share;
+};
+
+/// A change of a share from `before` to `after`, linear from `begin` to `end`; a jump if these are equal.
+struct ShareRamp {
+  double begin, end, before, after;
+};
+
+/// Share just before a time, or just after it.
+enum class Side { before, after };
+double share_at(std::span<const ShareKnot> knots, double time, Side side);
+
+}  // namespace peritherm

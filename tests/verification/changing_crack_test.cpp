@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/run_problem.hpp"
+
+namespace peritherm {
+namespace {
+
+/// A bar of conductivity 2 with a crack across which heat is exchanged, held at 0 and 1.
+Problem gap_in_bar(int cells, double place, double coefficient) {
+  Problem problem = unit_body(1, cells, 4.0);
+  problem.materials["body"].conductivity = 2.0;
+  problem.nonlocality.faces = Faces::mirror;
+  Crack& crack = problem.cracks.emplace_back();
+  crack.points = {{place}};
+  crack.gap = GapConvection{coefficient};
+  set_face(problem, Face::x_min, held_at(0.0));
+  set_face(problem, Face::x_max, held_at(1.0));
+  return problem;
+}
+
+/// Two slabs with slope q/k and a jump q/h between them.
+double slabs_in_series(double place, double coefficient, double x) {
+  const double flux = 1.0 / (0.5 + 1.0 / coefficient);
+  return x < place ? 0.5 * flux * x : 1.0 - 0.5 * flux * (1.0 - x);
+}
+
+TEST(GapExchange, between_slabs_is_that_of_resistances_in_series) {
+  for (const double coefficient : {0.3, 3.0, 300.0}) {
+    for (const double place : {0.44, 0.4455, 0.45}) {
+      // Next to a point, 0.1 spacings off, four neighbours a side cannot meet all moments; else the fit stops at 1e-9.
+      const double tolerance = place == 0.44 ? 1e-4 : 1e-7;
+      Problem problem = gap_in_bar(40, place, coefficient);
+      problem.time.integrator = SteadyState{};
+      March run(problem);
+      run.advance_to(1.0);
+      const std::vector<double> values = run.temperatures();
+      for (std::size_t n = 0; n < values.size(); ++n) {
+        const double exact = slabs_in_series(place, coefficient, run.position(n)[0]);
+        EXPECT_NEAR(values[n], exact, tolerance) << coefficient << ' ' << place;
+      }
+    }
+  }
+}
+
+/// Root of β tan β = biot in (nπ, nπ + π/2), by bisection.
+double root_of_gap(int n, double biot) {
+  double low = n * std::numbers::pi, high = low + 0.5 * std::numbers::pi;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (middle * std::tan(middle) < biot ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Two insulated slabs of length 1/2 and diffusivity 1, at 1 and −1 at first, exchange heat: by symmetry the face of
+/// each sees 2 h times its own temperature [carslaw1959, section 3.11].
+double exchanging_slabs(double coefficient, double x, double t) {
+  const double depth = 2.0 * std::abs(x < 0.5 ? x : 1.0 - x), biot = coefficient;
+  double sum = 0.0;
+  for (int n = 0; n < 40; ++n) {
+    const double beta = root_of_gap(n, biot);
+    sum += 2.0 * std::sin(beta) / (beta + std::sin(beta) * std::cos(beta)) * std::cos(beta * depth) *
+           std::exp(-4.0 * beta * beta * t);
+  }
+  return x < 0.5 ? sum : -sum;
+}
+
+TEST(GapExchange, levels_two_slabs_at_second_order) {
+  const double coefficient = 3.0, time = 0.1;
+  double errors[2] = {};
+  for (const int level : {0, 1}) {
+    Problem problem = unit_body(1, 20 << level, 3.0);
+    problem.nonlocality.faces = Faces::mirror;
+    problem.initial.temperature = Profile("x < 0.5 ? 1 : -1");
+    Crack& crack = problem.cracks.emplace_back();
+    crack.points = {{0.5}};
+    crack.gap = GapConvection{coefficient};
+    problem.time.integrator = RungeKuttaLegendre{1e-8};
+    March run(problem);
+    run.advance_to(time);
+    errors[level] = run.relative_error([&](const Point& x) { return exchanging_slabs(coefficient, x[0], time); });
+  }
+  EXPECT_LT(errors[1], 2e-3);
+  EXPECT_GT(std::log2(errors[0] / errors[1]), 1.8);
+}
+
+/// The square [-1, 1]² with heat from top to bottom, and a crack that grows through it.
+Problem growing_crack(int cells, Faces faces) {
+  Problem problem = unit_body(2, cells, 4.0);
+  problem.body.origin = Coordinates{-1.0, -1.0};
+  problem.body.size = {2.0, 2.0};
+  problem.body.points = PointPlacement::boundary;
+  problem.nonlocality.faces = faces;
+  problem.initial.temperature = Profile("100*y");
+  set_face(problem, Face::y_min, held_at(-100.0));
+  set_face(problem, Face::y_max, held_at(100.0));
+  Crack& crack = problem.cracks.emplace_back();
+  crack.points = {{-0.45, -0.11}, {0.47, 0.21}};
+  crack.tip_speed = 4.0;
+  problem.time.end = 0.3;
+  problem.time.integrator = RungeKuttaLegendre{1e-6};
+  return problem;
+}
+
+const std::vector<Coordinates> growth_probes{{-0.6, 0.5},  {0.0, 0.6},  {0.6, 0.8},
+                                             {-0.8, -0.3}, {0.0, -0.5}, {0.7, -0.4}};
+
+std::vector<double> grown(int cells, Faces faces) {
+  March run(growing_crack(cells, faces));
+  const double before = run.stored_heat();
+  run.advance_to(0.3);
+  double entered = 0.0;
+  for (const double heat : run.heats()) entered += heat;
+  // Rounding of some thousand evaluations of a body that holds 100 J on either side.
+  EXPECT_NEAR(run.stored_heat(), before + entered, 1e-10) << cells;
+  std::vector<double> values;
+  for (const Coordinates& place : growth_probes) values.push_back(run.at(place));
+  return values;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return std::sqrt(sum);
+}
+
+TEST(GrowingCrack, converges_at_second_order) {
+  const auto coarse = grown(31, Faces::mirror), middle = grown(61, Faces::mirror), fine = grown(121, Faces::mirror);
+  EXPECT_GT(std::log2(distance(coarse, middle) / distance(middle, fine)), 1.8);
+  // With cut bonds the answer at 31 cells is fifteen times as far from the finest one.
+  EXPECT_GT(distance(grown(31, Faces::cut), fine), 15.0 * distance(coarse, fine));
+}
+
+/// A warm spot in a large plate beside a crack that grows, all turned by an angle [degrees].
+std::vector<double> turned_growth(double degrees, int cells) {
+  const double c = std::cos(degrees * std::numbers::pi / 180.0), s = std::sin(degrees * std::numbers::pi / 180.0);
+  const auto turned = [&](double x, double y) { return Coordinates{c * x - s * y, s * x + c * y}; };
+  Problem problem = unit_body(2, cells, 4.0);
+  problem.body.origin = Coordinates{-1.5, -1.5};
+  problem.body.size = {3.0, 3.0};
+  problem.nonlocality.faces = Faces::mirror;
+  const Coordinates spot = turned(0.05, -0.22);
+  problem.initial.temperature =
+      Profile("100*exp(-((x-(" + std::to_string(spot[0]) + "))^2+(y-(" + std::to_string(spot[1]) + "))^2)/0.03)");
+  Crack& crack = problem.cracks.emplace_back();
+  crack.points = {turned(-0.31, 0.02), turned(0.36, 0.11)};
+  crack.tip_speed = 20.0;
+  problem.time.integrator = RungeKuttaLegendre{1e-6};
+  March run(problem);
+  run.advance_to(0.05);
+  std::vector<double> values;
+  for (const auto& [x, y] : {std::pair(-0.4, 0.3), {0.0, 0.35}, {0.4, 0.35}, {0.6, 0.0}, {0.1, -0.5}, {-0.6, -0.1}}) {
+    values.push_back(run.at(turned(x, y)));
+  }
+  return values;
+}
+
+TEST(GrowingCrack, is_the_same_on_a_turned_grid_to_the_error_of_the_grid) {
+  const auto coarse = turned_growth(0.0, 75), fine = turned_growth(0.0, 121);
+  for (const double degrees : {27.0, 45.0})
+    EXPECT_LT(distance(turned_growth(degrees, 75), coarse), distance(coarse, fine));
+}
+
+TEST(ClosingCrack, keeps_heat_and_leaves_no_trace) {
+  for (const Faces faces : {Faces::mirror, Faces::cut}) {
+    Problem problem = unit_body(2, 24, 3.0);
+    problem.nonlocality.faces = faces;
+    problem.initial.temperature = Profile("100*x + 50*y^2");
+    Crack& crack = problem.cracks.emplace_back();
+    crack.points = {{0.2, 0.43}, {0.8, 0.58}};
+    crack.contact = ContactAtTimes{{0.0, 0.02, 0.03, 0.04}, {1.0, 0.0, 0.4, 1.0}};
+    problem.time.integrator = RungeKuttaLegendre{1e-6};
+    March run(problem);
+    const double before = run.stored_heat();
+    run.advance_to(0.02);
+    Problem whole = problem;
+    whole.cracks.clear();
+    March sound(whole);
+    sound.advance_to(0.02);
+    // Closed from the start; cells that are shared between the sides shift second moments by a spacing's square.
+    EXPECT_LT(run.relative_error([&](const Point& x) { return sound.at({x[0], x[1]}); }), 1e-3);
+    run.advance_to(0.5);
+    EXPECT_NEAR(run.stored_heat(), before, 1e-11 * before);
+    for (const double value : run.temperatures()) EXPECT_NEAR(value, before, 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace peritherm
