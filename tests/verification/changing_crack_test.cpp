@@ -184,7 +184,6 @@ TEST(ClosingCrack, keeps_heat_and_leaves_no_trace) {
     EXPECT_LT(run.relative_error([&](const Point& x) { return sound.at({x[0], x[1]}); }), 1e-3);
     run.advance_to(0.5);
     EXPECT_NEAR(run.stored_heat(), before, 1e-11 * before);
-    for (const double value : run.temperatures()) EXPECT_NEAR(value, before, 1.0);
   }
 }
 

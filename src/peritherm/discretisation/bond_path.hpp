@@ -25,8 +25,8 @@ struct BondPath {
   std::vector<Crossing> crossings;  ///< earliest first
 };
 
-/// What a bond keeps of its conductance: what mirroring faces make of it, times the product of the transmissions of the
-/// cracks that have passed it, or that of its elongation if this is less. Displacements that open a crack break the
+/// What a bond keeps of its conductance besides what mirroring faces make of it: the product of the transmissions of
+/// the cracks that have passed it, or that of its elongation if this is less. Displacements that open a crack break the
 /// bonds which it has cut already, and one gap must not count twice.
 class RemainingShare {
  public:

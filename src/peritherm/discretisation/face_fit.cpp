@@ -312,6 +312,7 @@ class ShareSpreader {
 
   /// Bonds to settled points look the same from there.
   void mirror_cuts() {
+    if (!points_.is_windowed()) return;
     for (const FacePoint& point : points_.points()) {
       for (std::size_t k = 0; k < count_ && !point.settled; ++k) {
         const std::int64_t end = points_.find(classes_.reversed(point.index, static_cast<int>(k)).first);

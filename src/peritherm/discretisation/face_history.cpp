@@ -188,13 +188,12 @@ void FaceHistory::record(const FacePoints& points, const std::vector<std::vector
                          double to) {
   for (std::size_t n = 0; n < rows.size(); ++n) {
     const FacePoint& point = points.points()[n];
-    const std::size_t number = model_.body.grid.number(point.index);
+    if (rows[n].empty()) continue;
+    const std::vector<double>& now = shares_of(model_.body.grid.number(point.index));
     for (std::size_t k = 0; k < rows[n].size(); ++k) {
       const double share = rows[n][k];
       if (point.cut_of(k) == 0.0) lowest_ = std::min(lowest_, share);
-      const auto known = shares_.find(number);
-      const double before = known == shares_.end() ? 1.0 : known->second[k];
-      if (std::abs(share - before) <= (to > 0.0 ? least_change : 0.0)) continue;
+      if (std::abs(share - now[k]) <= (to > 0.0 ? least_change : 0.0)) continue;
       // The same for both directions and all images, to the bit.
       for (const auto& member : classes_.members(point.index, static_cast<int>(k))) {
         change(member.first, share, from, to);
@@ -203,11 +202,14 @@ void FaceHistory::record(const FacePoints& points, const std::vector<std::vector
   }
 }
 
+/// Shares of the bonds of a point, by its number; ones at first.
+std::vector<double>& FaceHistory::shares_of(std::size_t point) {
+  return shares_.try_emplace(point, model_.stencil.entries.size(), 1.0).first->second;
+}
+
 void FaceHistory::change(std::uint64_t bond, double share, double from, double to) {
   const std::uint64_t count = model_.stencil.entries.size();
-  std::vector<double>& own = shares_[bond / count];
-  if (own.empty()) own.assign(count, 1.0);
-  double& now = own[bond % count];
+  double& now = shares_of(bond / count)[bond % count];
   if (to > 0.0) {
     std::vector<ShareKnot>& knots = later_[bond];
     if (knots.empty() || knots.back().time < from) knots.push_back({from, now});

@@ -44,6 +44,7 @@ class FaceHistory {
   FaceWindow window_of_growth(double from, double to) const;
   FaceWindow window_of_jumps(double time) const;
   void record(const FacePoints& points, const std::vector<std::vector<double>>& rows, double from, double to);
+  std::vector<double>& shares_of(std::size_t point);
   void change(std::uint64_t bond, double share, double from, double to);
   void share_cells(double end);
   void keep_volumes(const FacePoints& points);

@@ -243,7 +243,7 @@ void append_drafts(const Body& body, std::size_t crack, const CrackMoment& momen
   const bool closed = length(difference(corners.front(), corners.back())) < same_place;
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
     std::vector<Point> segment = clipped_to_box(body, {corners[k], corners[k + 1]}, false);
-    if (segment.size() < 2 || !(length(difference(segment[1], segment[0])) > 1e-3)) continue;
+    if (segment.size() < 2 || !(length(difference(segment[1], segment[0])) > same_place)) continue;
     drafts.push_back({crack,
                       std::move(segment),
                       surface.normal_of(static_cast<int>(k)),

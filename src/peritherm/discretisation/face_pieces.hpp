@@ -94,7 +94,7 @@ class FacePiece {
   Point lower_, upper_;                               ///< the box in which it acts
 };
 
-/// As what cracks are looked at.
+/// When and how cracks are looked at.
 struct CrackMoment {
   double time = HUGE_VAL;              ///< [s]
   bool touching = true;                ///< cracks that are closed at that time conduct; otherwise all are open

@@ -104,13 +104,19 @@ FacePoints::FacePoints(const Body& body, const Stencil& stencil, const std::vect
 
 std::int64_t FacePoints::find(const GridIndex& index) const {
   if (in_box_.empty()) return grid_.contains(index) ? find(grid_.number(index)) : -1;
-  std::size_t place = 0;
+  const std::int64_t place = place_in_box(index);
+  return place < 0 ? -1 : in_box_[static_cast<std::size_t>(place)];
+}
+
+/// −1: outside.
+std::int64_t FacePoints::place_in_box(const GridIndex& index) const {
+  std::int64_t place = 0;
   for (int axis = 2; axis >= 0; --axis) {
     const int step = index[axis] - box_low_[axis];
     if (step < 0 || step >= box_size_[axis]) return -1;
-    place = place * static_cast<std::size_t>(box_size_[axis]) + static_cast<std::size_t>(step);
+    place = place * box_size_[axis] + step;
   }
-  return in_box_[place];
+  return place;
 }
 
 void FacePoints::fill_box() {
@@ -131,12 +137,7 @@ void FacePoints::fill_box() {
   if (size > largest_box) return;
   in_box_.assign(size, -1);
   for (std::size_t n = 0; n < points_.size(); ++n) {
-    std::size_t place = 0;
-    for (int axis = 2; axis >= 0; --axis) {
-      const int step = points_[n].index[axis] - box_low_[axis];
-      place = place * static_cast<std::size_t>(box_size_[axis]) + static_cast<std::size_t>(step);
-    }
-    in_box_[place] = static_cast<std::int32_t>(n);
+    in_box_[static_cast<std::size_t>(place_in_box(points_[n].index))] = static_cast<std::int32_t>(n);
   }
 }
 
@@ -149,7 +150,7 @@ void FacePoints::collect(const Body& body, double reach) {
   std::vector<std::pair<std::size_t, int>> found;
   for (std::size_t n = 0; n < pieces_.size(); ++n) {
     auto bounds = pieces_[n].bounds();
-    for (int axis = 0; axis < grid_.dimension && !window_.boxes.empty(); ++axis) {
+    for (int axis = 0; axis < grid_.dimension && is_windowed(); ++axis) {
       const auto [low, high] = window_.bounds(axis);
       bounds[0][axis] = std::max(bounds[0][axis], low - window_.outer);
       bounds[1][axis] = std::min(bounds[1][axis], high + window_.outer);
@@ -248,7 +249,7 @@ void FacePoints::look_along_bonds(const Body& body, std::size_t n, double horizo
 }
 
 bool FacePoints::is_kept(const Body& body, const FacePoint& point, int k) const {
-  if (window_.boxes.empty()) return false;
+  if (!is_windowed()) return false;
   const std::int64_t n = find(body.fold(sum_of(point.index, stencil_.entries[static_cast<std::size_t>(k)].offset)));
   if (n < 0) return point.settled;
   const FacePoint& end = points_[static_cast<std::size_t>(n)];
@@ -282,7 +283,12 @@ Point FacePoints::unfolded_end(std::size_t n, int k) const {
 
 /// The part of a cell that lies beyond the face belongs to points there.
 void FacePoints::share_cells(const Body& body) {
-  std::vector<std::pair<std::size_t, double>> shared;
+  struct Shared {
+    std::size_t point;
+    double beyond;
+    Takers takers;
+  };
+  std::vector<Shared> shared;
   for (std::size_t n = 0; n < points_.size(); ++n) {
     const FacePiece& piece = pieces_[static_cast<std::size_t>(points_[n].frame)];
     const double height = piece.height(points_[n].place);
@@ -290,13 +296,13 @@ void FacePoints::share_cells(const Body& body) {
     const Point foot = added(points_[n].place, scaled(piece.normal(), -height));
     const double beyond = piece.share_at(foot) * cell_share_above(piece.normal(), std::abs(height));
     if (beyond <= 1e-12) continue;
-    const Takers takers = find_takers(body, n, -0.25);
+    Takers takers = find_takers(body, n, -0.25);
     if (takers.empty()) continue;
     points_[n].volume -= beyond;
     give(takers, beyond * grid_.volume_share(points_[n].index));
-    if (piece.jump(points_[n].conductivity) > 0.0) shared.emplace_back(n, beyond);
+    if (piece.jump(points_[n].conductivity) > 0.0) shared.push_back({n, beyond, std::move(takers)});
   }
-  for (const auto& [n, beyond] : shared) balance_cells(body, n, beyond);
+  for (const auto& [n, beyond, takers] : shared) balance_cells(body, n, beyond, takers);
 }
 
 void FacePoints::give(const Takers& takers, double volume) {
@@ -319,11 +325,10 @@ double FacePoints::mean_height(const Takers& takers, const FacePiece& piece) con
 
 /// Where heat passes between the faces, what is given across must not move the middle of all volume: rows for steps of
 /// temperature and for parabolas could not both be met. As much as it has moved is moved back on both sides.
-void FacePoints::balance_cells(const Body& body, std::size_t n, double beyond) {
+void FacePoints::balance_cells(const Body& body, std::size_t n, double beyond, const Takers& takers) {
   const FacePiece& piece = pieces_[static_cast<std::size_t>(points_[n].frame)];
   const double height = std::abs(piece.height(points_[n].place));
   const double side = piece.height(points_[n].place) >= 0.0 ? 1.0 : -1.0;
-  const Takers takers = find_takers(body, n, -0.25);
   const Takers above = find_takers(body, n, height + 1.0), below = find_takers(body, n, -1.25);
   if (above.empty() || below.empty()) return;
   const double taken_at = side * mean_height(takers, piece);

@@ -66,6 +66,8 @@ class FacePoints {
   const std::vector<FacePiece>& pieces() const { return pieces_; }
   /// Is anything looked at anew within a distance of a place?
   bool are_near(const Point& x, double distance) const { return window_.distance_to(x) < window_.inner + distance; }
+  /// Is there anything that keeps what it has?
+  bool is_windowed() const { return !window_.boxes.empty(); }
   /// Does bond k of a point keep its share, because what changes is far away?
   bool is_kept(const Body& body, const FacePoint& point, int k) const;
 
@@ -75,6 +77,7 @@ class FacePoints {
  private:
   void collect(const Body& body, double reach);
   void fill_box();
+  std::int64_t place_in_box(const GridIndex& index) const;
   Point off_faces(const Point& x, const std::vector<int>& pieces) const;
   void settle(const Body& body, std::size_t point, double horizon_ratio);
   void look_along_bonds(const Body& body, std::size_t point, double horizon_ratio);
@@ -83,7 +86,7 @@ class FacePoints {
   Takers find_takers(const Body& body, std::size_t point, double above) const;
   void give(const Takers& takers, double volume);
   double mean_height(const Takers& takers, const FacePiece& piece) const;
-  void balance_cells(const Body& body, std::size_t point, double beyond);
+  void balance_cells(const Body& body, std::size_t point, double beyond, const Takers& takers);
 
   const Stencil& stencil_;
   const std::vector<FacePiece>& pieces_;

@@ -59,25 +59,19 @@ void MirroredFaces::look_up(const Grid& grid, const Point& from, const Point& to
   }
   share = 1.0;
   later.clear();
-  const std::size_t point = grid.number(p);
-  const std::ptrdiff_t n = find(point);
+  const std::ptrdiff_t n = find(grid.number(p));
   if (n < 0) return;
   const double volume = volumes_[static_cast<std::size_t>(n)];
   share /= volume;
-  const Row own = row(point);
-  const auto found = std::lower_bound(own.bonds.begin(), own.bonds.end(), number_of(offset));
-  if (found == own.bonds.end() || *found != number_of(offset)) return;
-  const auto bond = static_cast<std::size_t>(&*found - bonds_.data());
+  const std::uint32_t* const begin = bonds_.data() + (n == 0 ? 0 : end_[static_cast<std::size_t>(n - 1)]);
+  const std::uint32_t* const end = bonds_.data() + end_[static_cast<std::size_t>(n)];
+  const std::uint32_t* const found = std::lower_bound(begin, end, number_of(offset));
+  if (found == end || *found != number_of(offset)) return;
+  const auto bond = static_cast<std::size_t>(found - bonds_.data());
   share = shares_[bond] / volume;
   for (std::size_t k = bond == 0 ? 0 : knot_end_[bond - 1]; k < knot_end_[bond]; ++k) {
     later.push_back({knots_[k].time, knots_[k].share / volume});
   }
-}
-
-std::size_t MirroredFaces::bytes() const {
-  return points_.size() * (2 * sizeof(std::int64_t) + sizeof(double)) +
-         bonds_.size() * (sizeof(std::uint32_t) + sizeof(double) + sizeof(std::size_t)) +
-         knots_.size() * sizeof(ShareKnot);
 }
 
 MirroredFaces mirror_faces(const Body& body, const Stencil& stencil, double horizon_ratio,

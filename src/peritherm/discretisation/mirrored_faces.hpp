@@ -61,7 +61,6 @@ class MirroredFaces {
   double lowest_share() const { return lowest_; }
   /// Of all bonds at all times.
   double highest_share() const { return highest_; }
-  std::size_t bytes() const;
 
  private:
   std::ptrdiff_t find(std::size_t point) const;

@@ -247,6 +247,7 @@ class CrackSurface {
   bool adjusts_tips() const { return adjusts_tips_; }
   /// True if bonds are cut after the start of the run.
   bool grows() const { return tip_speed_ > 0.0 || start_time_ > 0.0; }
+  /// True if it grows, appears, opens or closes.
   bool changes_in_time() const { return grows() || !contact_changes_.empty(); }
   double start_time() const { return start_time_; }
   /// 0 if it does not grow [m/s].
