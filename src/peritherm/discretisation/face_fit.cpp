@@ -290,36 +290,13 @@ class FaceFitter {
 /// Shares of all bonds of the points near faces: those that are kept, cut ones, and those of the classes.
 class ShareSpreader {
  public:
-  ShareSpreader(const Body& body, const Stencil& stencil, const FacePoints& points, const BondClasses& classes)
-      : body_(body),
-        count_(stencil.entries.size()),
-        points_(points),
-        classes_(classes),
-        result_(points.points().size()) {}
+  ShareSpreader(const Stencil& stencil, const FacePoints& points, const BondClasses& classes)
+      : count_(stencil.entries.size()), points_(points), classes_(classes), result_(points.points().size()) {}
 
-  void keep(const FaceShares& before) {
+  void cut() {
     for (std::size_t n = 0; n < result_.size(); ++n) {
       const FacePoint& point = points_.points()[n];
-      const auto known = before.find(body_.grid.number(point.index));
-      if (known != before.end()) result_[n] = known->second;
-      if (result_[n].empty() && !point.cut.empty()) result_[n].assign(count_, 1.0);
-      if (point.settled || result_[n].empty()) continue;
-      for (std::size_t k = 0; k < count_; ++k) {
-        if (!points_.is_kept(body_, point, static_cast<int>(k))) result_[n][k] = 1.0 - point.cut_of(k);
-      }
-    }
-  }
-
-  /// Bonds to settled points look the same from there.
-  void mirror_cuts() {
-    if (!points_.is_windowed()) return;
-    for (const FacePoint& point : points_.points()) {
-      for (std::size_t k = 0; k < count_ && !point.settled; ++k) {
-        const std::int64_t end = points_.find(classes_.reversed(point.index, static_cast<int>(k)).first);
-        if (end < 0 || !points_.points()[static_cast<std::size_t>(end)].settled) continue;
-        if (points_.is_kept(body_, point, static_cast<int>(k))) continue;
-        set(point.index, static_cast<int>(k), 1.0 - point.cut_of(k));
-      }
+      for (const double cut : point.cut) result_[n].push_back(1.0 - cut);
     }
   }
 
@@ -337,19 +314,16 @@ class ShareSpreader {
   std::vector<std::vector<double>> take() { return std::move(result_); }
 
  private:
-  const Body& body_;
   std::size_t count_;
   const FacePoints& points_;
   const BondClasses& classes_;
   std::vector<std::vector<double>> result_;
 };
 
-std::vector<std::vector<double>> spread_shares(const Body& body, const Stencil& stencil, const FacePoints& points,
-                                               const FaceSystem& system, const FaceShares& before,
-                                               const std::vector<double>& of_class) {
-  ShareSpreader spreader(body, stencil, points, system.classes());
-  spreader.keep(before);
-  spreader.mirror_cuts();
+std::vector<std::vector<double>> spread_shares(const Stencil& stencil, const FacePoints& points,
+                                               const FaceSystem& system, const std::vector<double>& of_class) {
+  ShareSpreader spreader(stencil, points, system.classes());
+  spreader.cut();
   for (std::size_t e = 0; e < of_class.size(); ++e) {
     const FaceSystem::Member& first = system.members(e).front();
     spreader.set(points.points()[system.point_of(first.row)].index, first.entry, of_class[e]);
@@ -360,10 +334,10 @@ std::vector<std::vector<double>> spread_shares(const Body& body, const Stencil& 
 }  // namespace
 
 std::vector<std::vector<double>> fit_faces(const Body& body, const Stencil& stencil, FacePoints& points,
-                                           const FaceShares& before, FaceFitReport& report) {
-  for (FacePoint& point : points.points()) point.has_row = point.is_touched() && point.whole && !point.settled;
+                                           FaceFitReport& report) {
+  for (FacePoint& point : points.points()) point.has_row = point.is_touched() && point.whole;
   for (int round = 1;; ++round) {
-    const FaceSystem system(body, stencil, points, before);
+    const FaceSystem system(body, stencil, points);
     FaceFitter fitter(system);
     fitter.solve();
     const std::vector<std::size_t> missed = fitter.missed();
@@ -371,9 +345,9 @@ std::vector<std::vector<double>> fit_faces(const Body& body, const Stencil& sten
       for (std::size_t n = 0; n < points.points().size(); ++n) {
         const FacePoint& point = points.points()[n];
         const bool gives_way = std::binary_search(missed.begin(), missed.end(), n);
-        if (!point.settled && !point.cut.empty() && (gives_way || !point.has_row)) report.cut.push_back(n);
+        if (!point.cut.empty() && (gives_way || !point.has_row)) report.cut.push_back(n);
       }
-      return spread_shares(body, stencil, points, system, before, fitter.shares());
+      return spread_shares(stencil, points, system, fitter.shares());
     }
     for (const std::size_t n : missed) points.points()[n].has_row = false;
   }

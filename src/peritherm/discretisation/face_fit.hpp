@@ -16,8 +16,8 @@ struct FaceFitReport {
 /// Conductances of the bonds near faces as shares of the stencil's, [point][entry]; empty where nothing changes. Bonds
 /// along a side are changed as little as possible, symmetrically, and such that each point with a row conducts s, s²
 /// and d² (s along the face, d across) as it would if all its cut bonds were mirrored; they stay positive. `points`
-/// loses the rows that have no such solution. `before`: the shares that bonds have so far, for those that keep them.
+/// loses the rows that have no such solution.
 std::vector<std::vector<double>> fit_faces(const Body& body, const Stencil& stencil, FacePoints& points,
-                                           const FaceShares& before, FaceFitReport& report);
+                                           FaceFitReport& report);
 
 }  // namespace peritherm

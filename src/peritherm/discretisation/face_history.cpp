@@ -9,249 +9,246 @@
 namespace peritherm {
 namespace {
 
-/// Horizons around what changes within which bonds are fitted anew: what a fit does elsewhere falls off quickly.
-constexpr double window_radius = 2.0;
-/// Horizons along an axis from one fit to the next, and at least so many spacings.
-constexpr double step_length = 0.125;
-constexpr double least_step = 0.375;
-/// Smaller changes of a share wait until they have added up to this.
-constexpr double least_change = 5e-4;
-/// Spacings; length of the boxes that cover a crack.
-constexpr double box_length = 4.0;
+/// Shares that differ by less are one.
+constexpr double same_share = 1e-6;
+/// Cracks near one point that are told apart; more than that come and go with the times of others.
+constexpr std::size_t most_passings = 16;
 
-bool grows_between(const CrackSurface& crack, double from, double to) {
-  return crack.start_time() < to && crack.end_time() > from && crack.end_time() > crack.start_time();
-}
+std::uint64_t bit(std::size_t n) { return std::uint64_t{1} << n; }
 
-/// Times at which a crack begins or ends to grow, appears, opens or closes.
-std::vector<double> events_of(const CrackSurface& crack) {
-  std::vector<double> times{crack.start_time(), crack.end_time()};
-  for (const ContactChange& change : crack.contact_changes()) times.push_back(change.time);
-  return times;
-}
-
-/// Does the crack change from one moment to the next?
-bool jumps_at(const CrackSurface& crack, double time) {
-  if (crack.start_time() == time && crack.end_time() == time) return true;
-  const auto& changes = crack.contact_changes();
-  return std::any_of(changes.begin(), changes.end(), [time](const auto& change) { return change.time == time; });
-}
-
-void append_boxes(const Grid& grid, const CrackSurface& crack, FaceWindow& window) {
-  Point low{}, high{};
+/// A place in spacings, which may lie beyond mirrored faces, in the body [m].
+Point folded_place(const Grid& grid, const Point& x) {
+  Point inside{};
   for (int axis = 0; axis < grid.dimension; ++axis) {
-    low[axis] = grid.origin[axis] - grid.spacing;
-    high[axis] = grid.origin[axis] + grid.length(axis) + grid.spacing;
+    const double cells = grid.cells[axis];
+    double depth = std::abs(x[axis] + grid.first_depth());
+    if (depth > cells) depth = 2.0 * cells - depth;
+    inside[axis] = grid.origin[axis] + depth * grid.spacing;
   }
-  for (const auto& box : crack.pieces(box_length * grid.spacing, low, high)) {
-    window.boxes.push_back({in_spacings(grid, box[0]), in_spacings(grid, box[1])});
+  return inside;
+}
+
+double nearest_distance(const std::vector<FacePiece>& pieces, const std::vector<int>& near, std::size_t crack,
+                        const Point& x) {
+  double nearest = HUGE_VAL;
+  for (const int n : near) {
+    const FacePiece& piece = pieces[static_cast<std::size_t>(n)];
+    if (piece.crack() == crack) nearest = std::min(nearest, piece.distance_to(x));
+  }
+  return nearest;
+}
+
+void append_knot(std::vector<ShareKnot>& knots, const ShareKnot& knot) {
+  const auto same = [](const ShareKnot& a, const ShareKnot& b) { return std::abs(a.share - b.share) <= same_share; };
+  const std::size_t count = knots.size();
+  if (count > 0 && knots.back().time == knot.time && same(knots.back(), knot)) return;
+  if (count > 1 && same(knots[count - 1], knot) && same(knots[count - 2], knot)) {
+    knots.back().time = knot.time;
+  } else {
+    knots.push_back(knot);
   }
 }
 
 }  // namespace
 
 FaceHistory::FaceHistory(const FaceModel& model, double end)
-    : model_(model), table_(model.stencil), classes_(model.body, model.stencil, table_) {
-  refit(0.0, {}, 0.0, 0.0);
-  later_.clear();
-  const auto& cracks = model.body.cracks;
-  const bool changes = std::any_of(cracks.begin(), cracks.end(),
-                                   [](const auto& crack) { return crack.mirrors() && crack.changes_in_time(); });
-  if (!changes) return;
-  share_cells(end);
-  follow(end);
-}
-
-double FaceHistory::reach() const { return longest_offset(model_.stencil) + 2.0; }
-
-void FaceHistory::follow(double end) {
-  for (double time = 0.0; time < end;) {
-    const double next = next_time(time, end);
-    if (!(next < HUGE_VAL)) return;
-    if (const FaceWindow window = window_of_growth(time, next); !window.boxes.empty()) {
-      refit(std::nextafter(next, 0.0), window, time, next);
-    }
-    if (const FaceWindow window = window_of_jumps(next); !window.boxes.empty()) refit(next, window, next, next);
-    time = next;
-  }
-}
-
-/// When the fastest tip has advanced by an eighth of a horizon along an axis, or something else happens.
-double FaceHistory::next_time(double time, double end) const {
-  double next = HUGE_VAL, step = HUGE_VAL;
-  for (const CrackSurface& crack : model_.body.cracks) {
-    if (!crack.mirrors()) continue;
-    for (const double event : events_of(crack)) {
-      if (event > time) next = std::min(next, event);
-    }
-    if (!grows_between(crack, time, std::nextafter(time, HUGE_VAL))) continue;
-    double along = 1.0;
-    const auto tips = crack.tips(std::nextafter(time, HUGE_VAL));
-    if (!tips.empty()) along = std::max(std::abs(tips[1].direction[0]), std::abs(tips[1].direction[1]));
-    const double spacings = std::max(step_length * model_.horizon_ratio, least_step);
-    step = std::min(step, spacings * model_.body.grid.spacing / (crack.tip_speed() * along));
-  }
-  next = std::min(next, end);
-  return time + 1.001 * step < next ? time + step : next;
-}
-
-FaceWindow FaceHistory::window_of_growth(double from, double to) const {
-  const Grid& grid = model_.body.grid;
-  FaceWindow window;
-  for (const CrackSurface& crack : model_.body.cracks) {
-    if (!crack.mirrors() || !grows_between(crack, from, to)) continue;
-    const auto now = crack.tips(to);
-    if (now.empty()) {
-      append_boxes(grid, crack, window);
-      continue;
-    }
-    const auto before = crack.tips(from);
-    const Point a = in_spacings(grid, now[1].position);
-    const Point b = in_spacings(grid, before.empty() ? now[0].position : before[1].position);
-    std::array<Point, 2> box{a, a};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box[0][axis] = std::min(a[axis], b[axis]);
-      box[1][axis] = std::max(a[axis], b[axis]);
-    }
-    window.boxes.push_back(box);
-  }
-  return window;
-}
-
-FaceWindow FaceHistory::window_of_jumps(double time) const {
-  FaceWindow window;
-  for (const CrackSurface& crack : model_.body.cracks) {
-    if (crack.mirrors() && jumps_at(crack, time)) append_boxes(model_.body.grid, crack, window);
-  }
-  return window;
-}
-
-/// Between two fits bonds conduct better than they would with the tip in between, so that it lags behind by a share of
-/// the spacing that grows with the square of the step s in spacings. Measured against shorter steps, m = 3 to 6.5,
-/// constant and linear kernel: 0.19 s² / √m spacings, within a sixth.
-std::vector<double> FaceHistory::leads_over(double duration) const {
-  std::vector<double> leads;
-  for (const CrackSurface& crack : model_.body.cracks) {
-    const double step = crack.tip_speed() * duration / model_.body.grid.spacing;
-    leads.push_back(0.19 / std::sqrt(model_.horizon_ratio) * step * duration);
-  }
-  return leads;
-}
-
-/// Windows that share no points.
-std::vector<FaceWindow> FaceHistory::apart(const FaceWindow& window) const {
-  const double inner = window_radius * model_.horizon_ratio, outer = inner + 2.0 * reach();
-  std::vector<FaceWindow> parts;
-  if (window.boxes.empty()) parts.push_back({{}, inner, outer});
-  for (const auto& box : window.boxes) {
-    FaceWindow joined{{box}, inner, outer};
-    for (std::size_t n = parts.size(); n-- > 0;) {
-      const bool near = std::any_of(joined.boxes.begin(), joined.boxes.end(), [&](const auto& own) {
-        return parts[n].distance_to(between(own[0], own[1], 0.5)) - 0.5 * length(difference(own[1], own[0])) <
-               2.0 * (inner + reach());
-      });
-      if (!near) continue;
-      joined.boxes.insert(joined.boxes.end(), parts[n].boxes.begin(), parts[n].boxes.end());
-      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(n));
-    }
-    parts.push_back(std::move(joined));
-  }
-  return parts;
-}
-
-/// Fits the bonds in a window to the pieces that there are at a time.
-void FaceHistory::refit(double pieces_time, const FaceWindow& window, double from, double to) {
+    : model_(model), end_(end), table_(model.stencil), classes_(model.body, model.stencil, table_) {
   const auto& [body, stencil, ratio, shifts] = model_;
-  const std::vector<double> leads = leads_over(to - from);
-  const std::vector<FacePiece> pieces = make_face_pieces(body, shifts, reach(), {pieces_time, true, leads});
-  if (pieces.empty()) return;
-  const std::vector<FaceWindow> parts = apart(window);
-  std::vector<Fitted> fitted(parts.size());
-  const auto count = static_cast<std::int64_t>(parts.size());
-#pragma omp parallel for schedule(dynamic) if (count > 1)
-  for (std::int64_t n = 0; n < count; ++n) {
-    Fitted& part = fitted[static_cast<std::size_t>(n)];
-    part.points.emplace(body, stencil, pieces, ratio, parts[static_cast<std::size_t>(n)]);
-    part.rows = fit_faces(body, stencil, *part.points, shares_, part.report);
-    adjust_tips(body, stencil, *part.points, ratio, part.rows);
+  std::vector<bool> there;
+  for (const CrackSurface& crack : body.cracks) {
+    there.push_back(!crack.grows() || crack.start_time() < end);
+    moves_.push_back(crack.grows() && there.back());
   }
-  for (const Fitted& part : fitted) {
-    for (const std::size_t n : part.report.cut) {
-      cut_points_.insert(static_cast<std::int64_t>(body.grid.number(part.points->points()[n].index)));
-    }
-    if (from == 0.0 && to == 0.0) keep_volumes(*part.points);
-    record(*part.points, part.rows, from, to);
-  }
+  pieces_ = make_face_pieces(body, shifts, longest_offset(stencil) + 2.0, {there, 0.0, false});
+  if (pieces_.empty()) return;
+  points_.emplace(body, stencil, pieces_, ratio);
+  const std::vector<double> times = epochs();
+  for (std::size_t n = 0; n < times.size(); ++n) follow(times[n], n + 1 < times.size() ? times[n + 1] : end);
 }
 
-void FaceHistory::record(const FacePoints& points, const std::vector<std::vector<double>>& rows, double from,
-                         double to) {
-  for (std::size_t n = 0; n < rows.size(); ++n) {
-    const FacePoint& point = points.points()[n];
-    if (rows[n].empty()) continue;
-    const std::vector<double>& now = shares_of(model_.body.grid.number(point.index));
-    for (std::size_t k = 0; k < rows[n].size(); ++k) {
-      const double share = rows[n][k];
-      if (point.cut_of(k) == 0.0) lowest_ = std::min(lowest_, share);
-      if (std::abs(share - now[k]) <= (to > 0.0 ? least_change : 0.0)) continue;
-      // The same for both directions and all images, to the bit.
-      for (const auto& member : classes_.members(point.index, static_cast<int>(k))) {
-        change(member.first, share, from, to);
-      }
+/// Times from which on the same faces touch.
+std::vector<double> FaceHistory::epochs() const {
+  std::set<double> times{0.0};
+  for (const CrackSurface& crack : model_.body.cracks) {
+    for (const ContactChange& change : crack.contact_changes()) {
+      if (crack.mirrors() && change.time < end_) times.insert(change.time);
     }
   }
+  return {times.begin(), times.end()};
 }
 
-/// Shares of the bonds of a point, by its number; ones at first.
-std::vector<double>& FaceHistory::shares_of(std::size_t point) {
-  return shares_.try_emplace(point, model_.stencil.entries.size(), 1.0).first->second;
+void FaceHistory::follow(double from, double to) {
+  epoch_ = from;
+  fits_.clear();
+  for (std::size_t n = 0; n < points_->points().size(); ++n) {
+    Site site = site_of(n);
+    const auto before = row(site, 0, from);
+    const auto after = row(site, bit(site.passings.size()) - 1, from);
+    if (before == nullptr && after == nullptr) continue;
+    const GridIndex& index = points_->points()[n].index;
+    const std::uint64_t count = model_.stencil.entries.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool changes = (before != nullptr && (*before)[k] != 1.0) || (after != nullptr && (*after)[k] != 1.0) ||
+                           later_.contains(site.number * count + k);
+      if (!changes || classes_.key(index, static_cast<int>(k)) != site.number * count + k) continue;
+      time_passings(site, static_cast<int>(k));
+      record(site, static_cast<int>(k), from, to);
+    }
+  }
 }
 
-void FaceHistory::change(std::uint64_t bond, double share, double from, double to) {
+FaceHistory::Site FaceHistory::site_of(std::size_t point) const {
+  Site site{point, model_.body.grid.number(points_->points()[point].index), {}};
+  std::set<std::size_t> cracks;
+  for (const int n : points_->pieces_near(point)) {
+    const std::size_t crack = pieces_[static_cast<std::size_t>(n)].crack();
+    if (moves_[crack]) cracks.insert(crack);
+  }
+  for (const std::size_t crack : cracks) {
+    if (site.passings.size() < most_passings) site.passings.push_back({crack});
+  }
+  return site;
+}
+
+/// How far a crack has grown when it passes bond k of a point [m].
+double FaceHistory::length_to(std::size_t point, int k, std::size_t crack) const {
+  const GridIndex& p = points_->points()[point].index;
+  const GridIndex& offset = model_.stencil.entries[static_cast<std::size_t>(k)].offset;
+  const Point a = in_spacings(p), b = added(a, in_spacings(offset));
+  const std::vector<int>& near = points_->pieces_near(point);
+  const double from_a = nearest_distance(pieces_, near, crack, a);
+  const double from_b = nearest_distance(pieces_, near, crack, b);
+  const double share = from_a + from_b > 0.0 ? from_a / (from_a + from_b) : 0.5;
+  return model_.body.cracks[crack].length_to(folded_place(model_.body.grid, between(a, b, share)));
+}
+
+/// At tips the ramps of the cut are one spacing wide; so is the time in which a growing one passes.
+void FaceHistory::time_passings(Site& site, int k) const {
+  const double spacing = model_.body.grid.spacing;
+  for (Passing& passing : site.passings) {
+    const CrackSurface& crack = model_.body.cracks[passing.crack];
+    passing.begin = passing.end = crack.start_time();
+    if (crack.tip_speed() == 0.0) continue;
+    const double shift = model_.shifts[passing.crack] * spacing;
+    const double whole = crack.tip_speed() * (crack.end_time() - crack.start_time());
+    const double first = 0.5 * spacing, last = std::max(first, whole - 0.5 * spacing);
+    const double grown = std::clamp(length_to(site.point, k, passing.crack) + shift, first, last);
+    passing.begin += (grown - 0.5 * spacing) / crack.tip_speed();
+    passing.end = std::min(crack.end_time(), passing.end + (grown + 0.5 * spacing) / crack.tip_speed());
+  }
+}
+
+double FaceHistory::Passing::passed(double time, Side side) const {
+  if (time < begin || (time == begin && (begin < end || side == Side::before))) return 0.0;
+  return time >= end ? 1.0 : (time - begin) / (end - begin);
+}
+
+/// Appends what a bond and its images do between two times.
+void FaceHistory::record(const Site& site, int k, double from, double to) {
+  std::set<double> times{from};
+  for (const Passing& passing : site.passings) {
+    for (const double time : {passing.begin, passing.end}) {
+      if (time > from && time < to) times.insert(time);
+    }
+  }
+  if (times.size() > 1 && to < HUGE_VAL) times.insert(to);
+  std::vector<ShareKnot> knots;
+  for (const double time : times) {
+    if (time > from) append_knot(knots, {time, share(site, k, time, Side::before)});
+    if (time < to) append_knot(knots, {time, share(site, k, time, Side::after)});
+  }
+  const FacePoint& point = points_->points()[site.point];
+  for (const ShareKnot& knot : knots) {
+    if (point.cut_of(static_cast<std::size_t>(k)) == 0.0) lowest_ = std::min(lowest_, knot.share);
+  }
+  keep(point.index, k, knots, from);
+}
+
+/// The same for both directions and all images, to the bit.
+void FaceHistory::keep(const GridIndex& index, int k, const std::vector<ShareKnot>& knots, double from) {
   const std::uint64_t count = model_.stencil.entries.size();
-  double& now = shares_of(bond / count)[bond % count];
-  if (to > 0.0) {
-    std::vector<ShareKnot>& knots = later_[bond];
-    if (knots.empty() || knots.back().time < from) knots.push_back({from, now});
-    knots.push_back({to, share});
+  for (const auto& member : classes_.members(index, k)) {
+    double& first = first_.try_emplace(member.first / count, count, 1.0).first->second[member.first % count];
+    if (from == 0.0) first = knots.front().share;
+    if (from == 0.0 && knots.size() == 1) continue;
+    std::vector<ShareKnot>& own = later_[member.first];
+    if (own.empty() && from > 0.0) own.push_back({from, first});
+    for (const ShareKnot& knot : knots) append_knot(own, knot);
   }
-  now = share;
 }
 
-/// Shares the cells between the sides of all that there will be.
-void FaceHistory::share_cells(double end) {
+/// Of a bond at a time: from one set of passed cracks to the next it goes as each of them passes.
+double FaceHistory::share(const Site& site, int k, double time, Side side) {
+  std::uint64_t over = 0, on_way = 0;
+  std::vector<double> passed;
+  for (std::size_t n = 0; n < site.passings.size(); ++n) {
+    passed.push_back(site.passings[n].passed(time, side));
+    if (passed[n] == 1.0) over |= bit(n);
+    if (passed[n] > 0.0 && passed[n] < 1.0) on_way |= bit(n);
+  }
+  double sum = 0.0;
+  for (std::uint64_t subset = on_way;; subset = (subset - 1) & on_way) {
+    double weight = 1.0;
+    for (std::size_t n = 0; n < passed.size(); ++n) {
+      if ((on_way & bit(n)) != 0) weight *= (subset & bit(n)) != 0 ? passed[n] : 1.0 - passed[n];
+    }
+    const std::vector<double>* const own = row(site, over | subset, time);
+    sum += weight * (own == nullptr ? 1.0 : (*own)[static_cast<std::size_t>(k)]);
+    if (subset == 0) return sum;
+  }
+}
+
+/// What a point's bonds are when some of its cracks have passed; none if they are as without cracks.
+const std::vector<double>* FaceHistory::row(const Site& site, std::uint64_t passed, double time) {
+  const auto fits = [&](const Fitted& one) {
+    for (std::size_t n = 0; n < site.passings.size(); ++n) {
+      if (one.there[site.passings[n].crack] != ((passed & bit(n)) != 0)) return false;
+    }
+    return true;
+  };
+  auto found = std::find_if(fits_.begin(), fits_.end(), fits);
+  if (found == fits_.end()) {
+    std::vector<bool> there;
+    for (std::size_t c = 0; c < moves_.size(); ++c) there.push_back(model_.body.cracks[c].end_time() <= time);
+    for (std::size_t n = 0; n < site.passings.size(); ++n) there[site.passings[n].crack] = (passed & bit(n)) != 0;
+    fit(there);
+    found = fits_.end() - 1;
+  }
+  const auto own = found->shares.find(site.number);
+  return own == found->shares.end() ? nullptr : &own->second;
+}
+
+void FaceHistory::fit(const std::vector<bool>& there) {
   const auto& [body, stencil, ratio, shifts] = model_;
-  const std::vector<FacePiece> pieces = make_face_pieces(body, shifts, reach(), {end, false, {}});
-  keep_volumes(FacePoints(body, stencil, pieces, ratio));
-}
-
-void FaceHistory::keep_volumes(const FacePoints& points) {
-  volumes_.clear();
-  for (const FacePoint& point : points.points()) {
-    if (point.volume != 1.0) volumes_[model_.body.grid.number(point.index)] = point.volume;
+  Fitted& result = fits_.emplace_back(Fitted{there, {}});
+  const std::vector<FacePiece> pieces =
+      make_face_pieces(body, shifts, longest_offset(stencil) + 2.0, {there, epoch_, true});
+  if (pieces.empty()) return;
+  FacePoints points(body, stencil, pieces, ratio);
+  FaceFitReport report;
+  std::vector<std::vector<double>> rows = fit_faces(body, stencil, points, report);
+  adjust_tips(body, stencil, points, ratio, rows);
+  for (const std::size_t n : report.cut) {
+    cut_points_.insert(static_cast<std::int64_t>(body.grid.number(points.points()[n].index)));
+  }
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    if (!rows[n].empty()) result.shares.emplace(body.grid.number(points.points()[n].index), std::move(rows[n]));
   }
 }
 
 MirroredFaces FaceHistory::take() const {
+  if (!points_) return {};
   const auto& entries = model_.stencil.entries;
-  std::set<std::size_t> numbers;
-  for (const auto& [number, own] : shares_) numbers.insert(number);
-  for (const auto& [number, volume] : volumes_) numbers.insert(number);
   std::vector<MirroredFaces::PointBonds> points;
-  for (const std::size_t number : numbers) {
-    const auto volume = volumes_.find(number);
-    MirroredFaces::PointBonds own{
-        static_cast<std::int64_t>(number), volume == volumes_.end() ? 1.0 : volume->second, {}};
-    const auto shares = shares_.find(number);
-    for (std::size_t k = 0; shares != shares_.end() && k < entries.size(); ++k) {
+  for (const FacePoint& point : points_->points()) {
+    const std::size_t number = model_.body.grid.number(point.index);
+    MirroredFaces::PointBonds own{static_cast<std::int64_t>(number), point.volume, {}};
+    const auto shares = first_.find(number);
+    for (std::size_t k = 0; shares != first_.end() && k < entries.size(); ++k) {
       const auto later = later_.find(number * entries.size() + k);
       if (shares->second[k] == 1.0 && later == later_.end()) continue;
-      MirroredFaces::Bond bond{OffsetNumbers(model_.stencil.radius)(entries[k].offset), shares->second[k], {}};
-      if (later != later_.end()) {
-        bond.share = later->second.front().share;
-        bond.later = later->second;
-      }
-      own.bonds.push_back(std::move(bond));
+      own.bonds.push_back({OffsetNumbers(model_.stencil.radius)(entries[k].offset), shares->second[k], {}});
+      if (later != later_.end()) own.bonds.back().later = later->second;
     }
     std::sort(own.bonds.begin(), own.bonds.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
     if (own.volume != 1.0 || !own.bonds.empty()) points.push_back(std::move(own));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <set>
 #include <span>
@@ -20,9 +21,10 @@ struct FaceModel {
   std::span<const double> shifts;
 };
 
-/// Follows the shares of bonds while cracks grow, appear and close: fits them anew around what changes each time that a
-/// tip has advanced by an eighth of the horizon, and lets them change linearly in between. Cells are shared between the
-/// sides of a crack from the start, so that heat capacities never change.
+/// Follows the shares of bonds while cracks grow, appear and close. Bonds are fitted to every set of complete cracks
+/// that matters somewhere, and each bond goes from one set's share to the next as the tip passes it: a bond that is cut
+/// where it crosses the crack, another one where light from end to end would be reflected. Cells are shared between the
+/// sides from the start, so that heat capacities never change.
 class FaceHistory {
  public:
   /// `end`: time beyond which nobody looks [s].
@@ -30,32 +32,46 @@ class FaceHistory {
   MirroredFaces take() const;
 
  private:
-  void follow(double end);
-  double next_time(double time, double end) const;
-  std::vector<double> leads_over(double duration) const;
-  /// A window's points with their new shares.
+  using FaceShares = std::unordered_map<std::size_t, std::vector<double>>;
+  /// Bonds by a point's number, fitted to some cracks.
   struct Fitted {
-    std::optional<FacePoints> points{};
-    std::vector<std::vector<double>> rows{};
-    FaceFitReport report{};
+    std::vector<bool> there;  ///< per crack
+    FaceShares shares;
   };
-  std::vector<FaceWindow> apart(const FaceWindow& window) const;
-  void refit(double pieces_time, const FaceWindow& window, double from, double to);
-  FaceWindow window_of_growth(double from, double to) const;
-  FaceWindow window_of_jumps(double time) const;
-  void record(const FacePoints& points, const std::vector<std::vector<double>>& rows, double from, double to);
-  std::vector<double>& shares_of(std::size_t point);
-  void change(std::uint64_t bond, double share, double from, double to);
-  void share_cells(double end);
-  void keep_volumes(const FacePoints& points);
-  double reach() const;
+  /// A crack that changes bonds near a point while it grows or appears, and when it passes one of them.
+  struct Passing {
+    std::size_t crack;
+    double begin = 0.0, end = 0.0;  ///< equal: all at once
+    double passed(double time, Side side) const;
+  };
+  /// A point of the body and the cracks near it that are on their way.
+  struct Site {
+    std::size_t point;   ///< among those near faces
+    std::size_t number;  ///< in the body
+    std::vector<Passing> passings;
+  };
+  void follow(double from, double to);
+  Site site_of(std::size_t point) const;
+  void record(const Site& site, int k, double from, double to);
+  void keep(const GridIndex& index, int k, const std::vector<ShareKnot>& knots, double from);
+  double share(const Site& site, int k, double time, Side side);
+  const std::vector<double>* row(const Site& site, std::uint64_t passed, double time);
+  void fit(const std::vector<bool>& there);
+  void time_passings(Site& site, int k) const;
+  double length_to(std::size_t point, int k, std::size_t crack) const;
+  std::vector<double> epochs() const;
 
   FaceModel model_;
+  double end_;
   OffsetTable table_;
   BondClasses classes_;
-  FaceShares shares_;                                                ///< now
+  std::vector<FacePiece> pieces_;
+  std::optional<FacePoints> points_;  ///< with all cracks that there will be
+  std::vector<bool> moves_;           ///< per crack: it grows or appears
+  double epoch_ = 0.0;                ///< begin of the time in which no faces close or open
+  std::deque<Fitted> fits_;           ///< of that time
+  FaceShares first_;
   std::unordered_map<std::uint64_t, std::vector<ShareKnot>> later_;  ///< by point · entries + entry
-  std::unordered_map<std::size_t, double> volumes_;                  ///< where they are not 1
   std::set<std::int64_t> cut_points_;
   double lowest_ = 1.0;
 };

@@ -179,8 +179,8 @@ std::array<Point, 2> FacePiece::bounds() const {
 std::vector<FacePiece::Tip> FacePiece::tips() const {
   std::vector<Tip> found;
   if (dimension_ != 2) return found;
-  if (!joined_[0]) found.push_back({corners_[0], scaled(tangents_[0], -1.0), false, false});
-  if (!joined_[1]) found.push_back({corners_[1], tangents_[0], true, moving_});
+  if (!joined_[0]) found.push_back({corners_[0], scaled(tangents_[0], -1.0), false});
+  if (!joined_[1]) found.push_back({corners_[1], tangents_[0], true});
   return found;
 }
 
@@ -220,19 +220,12 @@ std::vector<Point> clipped_to_box(const Body& body, std::vector<Point> corners, 
   return corners;
 }
 
-/// The time as which the tip of a crack is looked at.
-double time_of_tip(const CrackSurface& crack, std::size_t number, const CrackMoment& moment) {
-  const bool leads = !moment.leads.empty() && moment.time > crack.start_time();
-  return leads ? moment.time + moment.leads[number] : moment.time;
-}
-
-void append_drafts(const Body& body, std::size_t crack, const CrackMoment& moment, std::vector<PieceDraft>& drafts) {
+void append_drafts(const Body& body, std::size_t crack, std::vector<PieceDraft>& drafts) {
   const CrackSurface& surface = body.cracks[crack];
-  const double time = time_of_tip(surface, crack, moment);
-  std::vector<Point> corners = surface.corners(time);
+  std::vector<Point> corners = surface.corners(HUGE_VAL);
   for (Point& corner : corners) corner = in_spacings(body.grid, corner);
   if (corners.empty()) return;
-  const double radius = surface.radius(time) / body.grid.spacing;
+  const double radius = surface.radius(HUGE_VAL) / body.grid.spacing;
   if (body.grid.dimension != 2) {
     if (body.grid.dimension == 3 && radius == 0.0) corners = clipped_to_box(body, std::move(corners), true);
     if (body.grid.dimension == 3 && radius == 0.0 && corners.size() < 3) return;
@@ -347,21 +340,22 @@ Point in_spacings(const Grid& grid, const Point& x) {
 }
 
 std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double> shifts, double reach,
-                                        const CrackMoment& moment) {
+                                        const CrackChoice& choice) {
   std::vector<PieceDraft> drafts;
-  for (std::size_t crack = 0; crack < body.cracks.size(); ++crack) append_drafts(body, crack, moment, drafts);
+  for (std::size_t crack = 0; crack < body.cracks.size(); ++crack) {
+    if (choice.there.empty() || choice.there[crack]) append_drafts(body, crack, drafts);
+  }
   const TipSearch search(body, drafts, shifts);
   std::vector<FacePiece> pieces;
   for (std::size_t n = 0; n < drafts.size(); ++n) {
     const PieceDraft& draft = drafts[n];
     if (shifts[draft.crack] < 0.0) continue;
     const CrackSurface& crack = body.cracks[draft.crack];
-    const double open = 1.0 - (moment.touching ? crack.contact(moment.time) : 0.0);
+    const double open = 1.0 - (choice.touching ? crack.contact(choice.time) : 0.0);
     pieces.emplace_back(body.grid.dimension, draft.corners, draft.normal, draft.radius, search.joined(n),
                         shifts[draft.crack], open * (1.0 - crack.transmission()),
                         crack.gap_coefficient() * body.grid.spacing);
     pieces.back().set_crack(draft.crack);
-    pieces.back().set_moving(time_of_tip(crack, draft.crack, moment) < crack.end_time());
     pieces.back().confine(search.lower(), search.upper());
   }
   append_images(body, search, reach, pieces);

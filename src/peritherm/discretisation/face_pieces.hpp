@@ -60,13 +60,10 @@ class FacePiece {
   bool touches(const Point& x, double tolerance) const;
   /// Lower and upper corner of a box around it.
   std::array<Point, 2> bounds() const;
-  /// The tip at its end is on its way.
-  void set_moving(bool moving) { moving_ = moving; }
   /// 2-D: ends of the piece that are tips, and the direction in which the crack would go on there.
   struct Tip {
     Point place, direction;
     bool at_end;  ///< of the piece, not at its beginning
-    bool moving;  ///< on its way
   };
   std::vector<Tip> tips() const;
 
@@ -86,7 +83,6 @@ class FacePiece {
   double radius_;
   double length_ = 0.0;  ///< 2-D
   std::size_t crack_ = 0;
-  bool moving_ = false;
   std::vector<bool> joined_;
   double shift_, strength_;
   double exchange_;                                   ///< coefficient of the gap times the spacing [W/(m K)]
@@ -94,20 +90,23 @@ class FacePiece {
   Point lower_, upper_;                               ///< the box in which it acts
 };
 
-/// When and how cracks are looked at.
-struct CrackMoment {
-  double time = HUGE_VAL;              ///< [s]
-  bool touching = true;                ///< cracks that are closed at that time conduct; otherwise all are open
-  std::span<const double> leads = {};  ///< per crack: by how much later its tip is looked at while it grows [s]
+/// Which cracks of a body are looked at, and how.
+struct CrackChoice {
+  std::vector<bool> there{};  ///< per crack; empty: all
+  double time = 0.0;          ///< at which faces touch or not [s]
+  bool touching = true;       ///< cracks that are closed at that time conduct; otherwise all are open
 };
 
-/// The pieces of all mirroring cracks of a body as they are at a moment, with their images across walls within
+/// The pieces of complete mirroring cracks of a body, with their images across walls within
 /// `reach` spacings. `shifts` per crack, in spacings; negative: the crack does not mirror. Ends on walls, on other
 /// cracks and at kinks are no tips.
 std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double> shifts, double reach,
-                                        const CrackMoment& moment);
+                                        const CrackChoice& choice);
 
 /// Index coordinates of a place [m]: those of a point of the grid are its indices.
 Point in_spacings(const Grid& grid, const Point& x);
+inline Point in_spacings(const GridIndex& p) {
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
 
 }  // namespace peritherm

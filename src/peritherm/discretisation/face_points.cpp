@@ -17,10 +17,6 @@ constexpr std::size_t largest_box = std::size_t{1} << 26;
 constexpr double half_diagonal = 0.87;   ///< of a cube, rounded up
 constexpr double taking_distance = 1.2;  ///< spacings; from the middle of what is given to the points that take it
 
-Point place_of(const GridIndex& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
 GridIndex sum_of(const GridIndex& p, const GridIndex& offset) {
   return {p[0] + offset[0], p[1] + offset[1], p[2] + offset[2]};
 }
@@ -70,27 +66,9 @@ double conductivity_to(const Body& body, const FacePoint& point, const GridIndex
 
 }  // namespace
 
-std::array<double, 2> FaceWindow::bounds(int axis) const {
-  std::array<double, 2> range{HUGE_VAL, -HUGE_VAL};
-  for (const auto& [low, high] : boxes) {
-    range = {std::min(range[0], low[axis]), std::max(range[1], high[axis])};
-  }
-  return range;
-}
-
-double FaceWindow::distance_to(const Point& x) const {
-  double nearest = boxes.empty() ? 0.0 : HUGE_VAL;
-  for (const auto& [low, high] : boxes) {
-    Point gap{};
-    for (int axis = 0; axis < 3; ++axis) gap[axis] = std::max({0.0, low[axis] - x[axis], x[axis] - high[axis]});
-    nearest = std::min(nearest, length(gap));
-  }
-  return nearest;
-}
-
 FacePoints::FacePoints(const Body& body, const Stencil& stencil, const std::vector<FacePiece>& pieces,
-                       double horizon_ratio, FaceWindow window)
-    : stencil_(stencil), pieces_(pieces), window_(std::move(window)), grid_(body.grid) {
+                       double horizon_ratio)
+    : stencil_(stencil), pieces_(pieces), grid_(body.grid) {
   // Bonds lead from points with cut bonds to others that have none.
   collect(body, 2.0 * longest_offset(stencil) + 1.0);
   const auto count = static_cast<std::int64_t>(points_.size());
@@ -149,12 +127,7 @@ std::int64_t FacePoints::find(std::size_t number) const {
 void FacePoints::collect(const Body& body, double reach) {
   std::vector<std::pair<std::size_t, int>> found;
   for (std::size_t n = 0; n < pieces_.size(); ++n) {
-    auto bounds = pieces_[n].bounds();
-    for (int axis = 0; axis < grid_.dimension && is_windowed(); ++axis) {
-      const auto [low, high] = window_.bounds(axis);
-      bounds[0][axis] = std::max(bounds[0][axis], low - window_.outer);
-      bounds[1][axis] = std::min(bounds[1][axis], high + window_.outer);
-    }
+    const auto bounds = pieces_[n].bounds();
     GridIndex low{}, high{};
     for (int axis = 0; axis < grid_.dimension; ++axis) {
       low[axis] = static_cast<int>(std::ceil(std::max(0.0, bounds[0][axis] - reach)));
@@ -163,9 +136,8 @@ void FacePoints::collect(const Body& body, double reach) {
     for (int z = low[2]; z <= high[2]; ++z) {
       for (int y = low[1]; y <= high[1]; ++y) {
         for (int x = low[0]; x <= high[0]; ++x) {
-          const Point place = place_of({x, y, z});
+          const Point place = in_spacings({x, y, z});
           if (std::abs(pieces_[n].height(place)) > reach || pieces_[n].distance_to(place) > reach) continue;
-          if (window_.distance_to(place) > window_.outer) continue;
           const std::size_t number = grid_.number({x, y, z});
           if (body.material_of[number] != no_material) found.emplace_back(number, static_cast<int>(n));
         }
@@ -201,8 +173,7 @@ void FacePoints::settle(const Body& body, std::size_t n, double horizon_ratio) {
   point.whole = is_whole(body, stencil_, point.index);
   point.conductivity = body.materials[body.material_of[grid_.number(point.index)]].conductivity;
   const std::vector<int>& near = pieces_near_[n];
-  const Point own = place_of(point.index);
-  point.settled = window_.distance_to(own) > window_.inner;
+  const Point own = in_spacings(point.index);
   point.place = off_faces(own, near);
   double nearest = HUGE_VAL;
   for (const int k : near) {
@@ -222,7 +193,7 @@ void FacePoints::look_along_bonds(const Body& body, std::size_t n, double horizo
   const std::size_t count = stencil_.entries.size();
   for (std::size_t k = 0; k < count; ++k) {
     const GridIndex q = sum_of(point.index, stencil_.entries[k].offset);
-    const Point end = off_faces(place_of(q), near);
+    const Point end = off_faces(in_spacings(q), near);
     const double conductivity = conductivity_to(body, point, q);
     double whole = 1.0;
     Way way = Way::free;
@@ -248,19 +219,12 @@ void FacePoints::look_along_bonds(const Body& body, std::size_t n, double horizo
   }
 }
 
-bool FacePoints::is_kept(const Body& body, const FacePoint& point, int k) const {
-  if (!is_windowed()) return false;
-  const std::int64_t n = find(body.fold(sum_of(point.index, stencil_.entries[static_cast<std::size_t>(k)].offset)));
-  if (n < 0) return point.settled;
-  const FacePoint& end = points_[static_cast<std::size_t>(n)];
-  return (point.settled && (end.settled || point.is_touched())) || (end.settled && end.is_touched());
-}
-
 Point FacePoints::unfolded_end(std::size_t n, int k) const {
   const std::vector<int>& near = pieces_near_[n];
   const double conductivity = points_[n].conductivity;
   Point begin = points_[n].place;
-  Point end = off_faces(place_of(sum_of(points_[n].index, stencil_.entries[static_cast<std::size_t>(k)].offset)), near);
+  Point end =
+      off_faces(in_spacings(sum_of(points_[n].index, stencil_.entries[static_cast<std::size_t>(k)].offset)), near);
   int last = -1;
   for (int round = 0; round < most_reflections; ++round) {
     double first = 2.0;
@@ -360,7 +324,7 @@ FacePoints::Takers FacePoints::find_takers(const Body& body, std::size_t n, doub
     for (int y = -reach[1]; y <= reach[1]; ++y) {
       for (int x = -reach[0]; x <= reach[0]; ++x) {
         const GridIndex q = sum_of(point.index, {x, y, z});
-        const Point there = off_faces(place_of(q), pieces_near_[n]);
+        const Point there = off_faces(in_spacings(q), pieces_near_[n]);
         const double weight = taking_distance - length(difference(there, middle));
         if (weight <= 0.0 || piece.height(there) * side * above <= 0.0) continue;
         const bool parted = std::any_of(pieces_near_[n].begin(), pieces_near_[n].end(), [&](int m) {

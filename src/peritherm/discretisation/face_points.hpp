@@ -27,7 +27,6 @@ struct FacePoint {
   double conductivity = 0.0;  ///< of its material [W/(m K)]
   bool near_tip = false;      ///< within a horizon of a tip
   bool whole = false;         ///< all of its bonds exist and conduct alike
-  bool settled = false;       ///< far from what changes: its bonds to other points that faces touch keep their shares
   bool has_row = false;       ///< its bonds are to conduct as if they were mirrored
   double volume = 1.0;        ///< share of a cell that lies on its side, with the pieces of others that it takes on
   std::vector<double> cut;    ///< per entry of the stencil: share that is cut; empty if nothing is
@@ -39,24 +38,11 @@ struct FacePoint {
   double cut_of(std::size_t entry) const { return cut.empty() ? 0.0 : cut[entry]; }
 };
 
-/// Where a part of the body changes: boxes, in spacings. Points near them are looked at anew.
-struct FaceWindow {
-  std::vector<std::array<Point, 2>> boxes;  ///< none: everything is
-  double inner = 0.0;                       ///< how far from the boxes points are looked at anew
-  double outer = 0.0;                       ///< how far others are needed for that
-
-  /// Lowest and highest place of all boxes along an axis.
-  std::array<double, 2> bounds(int axis) const;
-  /// Distance to the nearest box, 0 without boxes.
-  double distance_to(const Point& x) const;
-};
-
 /// The points near the faces of a body, ascending by number.
 class FacePoints {
  public:
   /// `pieces` must outlive it. `horizon_ratio`: horizon over spacing.
-  FacePoints(const Body& body, const Stencil& stencil, const std::vector<FacePiece>& pieces, double horizon_ratio,
-             FaceWindow window = {});
+  FacePoints(const Body& body, const Stencil& stencil, const std::vector<FacePiece>& pieces, double horizon_ratio);
 
   const std::vector<FacePoint>& points() const { return points_; }
   std::vector<FacePoint>& points() { return points_; }
@@ -64,12 +50,8 @@ class FacePoints {
   std::int64_t find(const GridIndex& index) const;
   std::int64_t find(std::size_t number) const;
   const std::vector<FacePiece>& pieces() const { return pieces_; }
-  /// Is anything looked at anew within a distance of a place?
-  bool are_near(const Point& x, double distance) const { return window_.distance_to(x) < window_.inner + distance; }
-  /// Is there anything that keeps what it has?
-  bool is_windowed() const { return !window_.boxes.empty(); }
-  /// Does bond k of a point keep its share, because what changes is far away?
-  bool is_kept(const Body& body, const FacePoint& point, int k) const;
+  /// Which pieces are near a point.
+  const std::vector<int>& pieces_near(std::size_t point) const { return pieces_near_[point]; }
 
   /// Where bond k of a point ends, seen from its side of the faces: mirrored at each one it meets.
   Point unfolded_end(std::size_t point, int k) const;
@@ -90,7 +72,6 @@ class FacePoints {
 
   const Stencil& stencil_;
   const std::vector<FacePiece>& pieces_;
-  const FaceWindow window_;
   const Grid grid_;
   std::vector<FacePoint> points_;
   std::vector<std::size_t> numbers_;

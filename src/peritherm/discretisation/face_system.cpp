@@ -28,7 +28,7 @@ FaceMoments FaceFrame::operator()(const Point& step, Way way) const {
   return m;
 }
 
-FaceSystem::FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points, const FaceShares& shares)
+FaceSystem::FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points)
     : stencil_(stencil), points_(points), table_(stencil), classes_(body, stencil, table_) {
   double second_moment = 0.0;
   for (const auto& [offset, conductance] : stencil.entries) second_moment += conductance * offset[0] * offset[0];
@@ -37,7 +37,7 @@ FaceSystem::FaceSystem(const Body& body, const Stencil& stencil, const FacePoint
   exchanges_ = std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.jump(1.0) > 0.0; });
   moments_ = FaceFrame{.dimension = body.grid.dimension}.count() + (exchanges_ ? 1 : 0);
   for (std::size_t n = 0; n < points.points().size(); ++n) {
-    if (points.points()[n].has_row) add_row(body, n, shares);
+    if (points.points()[n].has_row) add_row(body, n);
   }
   find_members();
   scale_rows();
@@ -100,7 +100,7 @@ void FaceSystem::scatter(const std::vector<double>& values, std::vector<double>&
   }
 }
 
-void FaceSystem::add_row(const Body& body, std::size_t n, const FaceShares& shares) {
+void FaceSystem::add_row(const Body& body, std::size_t n) {
   const FacePoint& point = points_.points()[n];
   const FacePiece& piece = points_.pieces()[static_cast<std::size_t>(point.frame)];
   Row row{n,
@@ -108,7 +108,6 @@ void FaceSystem::add_row(const Body& body, std::size_t n, const FaceShares& shar
            piece.jump(point.conductivity)},
           bonds_.size(),
           body.grid.volume_share(point.index)};
-  const auto known = shares.find(body.grid.number(point.index));
   FaceMoments target{};
   for (int c = 0; c < moments_; ++c) target[c] = row.frame.is_square(c) ? 2.0 * (point.volume - 1.0) : 0.0;
   const auto aim = [&](double weight, const FaceMoments& moments, int count) {
@@ -121,12 +120,7 @@ void FaceSystem::add_row(const Body& body, std::size_t n, const FaceShares& shar
       aim(weights_[k] * cut, row.frame(difference(end, point.place), Way::free), row.frame.count());
     }
     if (point.way(k) == Way::parted) continue;
-    if (points_.is_kept(body, point, static_cast<int>(k))) {
-      const double share = known == shares.end() ? 1.0 : known->second[k];
-      aim(weights_[k] * (1.0 - cut - share), moments_of(row, static_cast<int>(k)), moments_);
-    } else {
-      bonds_.push_back({class_of(n, static_cast<int>(k)), static_cast<std::int32_t>(k)});
-    }
+    bonds_.push_back({class_of(n, static_cast<int>(k)), static_cast<std::int32_t>(k)});
   }
   rows_.push_back(row);
   target_.insert(target_.end(), target.begin(), target.begin() + moments_);

@@ -14,8 +14,6 @@ namespace peritherm {
 /// s, all products of s, and d² differences of a bond: 1 in 1-D, 3 in 2-D, 6 in 3-D; where heat is exchanged across the
 /// gap, behind them the difference of a temperature with slope 1 across the face and the jump that belongs to it.
 using FaceMoments = std::array<double, 7>;
-/// The bonds that start at a point with the given shares, by its number.
-using FaceShares = std::unordered_map<std::size_t, std::vector<double>>;
 
 /// The coordinates of a point's face: s along it, d across.
 struct FaceFrame {
@@ -35,8 +33,7 @@ struct FaceFrame {
 /// The linear equations of the fit: moments of the bonds of each point with a row, over classes of bonds, scaled.
 class FaceSystem {
  public:
-  /// `shares`: of the bonds that are kept.
-  FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points, const FaceShares& shares);
+  FaceSystem(const Body& body, const Stencil& stencil, const FacePoints& points);
 
   std::size_t class_count() const { return strength_.size(); }
   std::size_t moments() const { return static_cast<std::size_t>(moments_); }
@@ -91,7 +88,7 @@ class FaceSystem {
     std::int32_t entry;
   };
 
-  void add_row(const Body& body, std::size_t n, const FaceShares& shares);
+  void add_row(const Body& body, std::size_t n);
   std::int32_t class_of(std::size_t n, int k);
   void find_members();
   void scale_rows();

@@ -15,9 +15,7 @@ namespace {
 
 constexpr double smallest_patch = 5.0;  ///< radius in horizons
 /// Commensurate lines of points repeat after some 27 spacings.
-double patch_radius(double horizon_ratio, bool moving) {
-  return moving ? smallest_patch : std::clamp(40.0 / horizon_ratio, smallest_patch, 9.0);
-}
+double patch_radius(double horizon_ratio) { return std::clamp(40.0 / horizon_ratio, smallest_patch, 9.0); }
 
 /// A bond changes by less than this share of what it conducts, or the patch has too few bonds to be trusted.
 constexpr double largest_change = 1.0;
@@ -42,7 +40,7 @@ Body make_patch(const TipPlace& tip, int half) {
 class TipPatch {
  public:
   TipPatch(const Stencil& stencil, double horizon_ratio, const TipPlace& tip, double shift)
-      : stencil_(stencil), ratio_(horizon_ratio), radius_(patch_radius(horizon_ratio, tip.moving) * horizon_ratio) {
+      : stencil_(stencil), ratio_(horizon_ratio), radius_(patch_radius(horizon_ratio) * horizon_ratio) {
     half_ = static_cast<int>(std::ceil(radius_)) + 2 * stencil.radius + 2;
     width_ = 2 * half_ + 1;
     double second_moment = 0.0;
@@ -124,7 +122,7 @@ class TipPatch {
     const std::vector<FacePiece> pieces = make_face_pieces(body, std::array{shift}, longest_offset(stencil_) + 2.0, {});
     FacePoints points(body, stencil_, pieces, ratio_);
     FaceFitReport report;
-    const auto shares = fit_faces(body, stencil_, points, {}, report);
+    const auto shares = fit_faces(body, stencil_, points, report);
     shares_.resize(modes_[0].size());
     for (std::size_t n = 0; n < shares.size(); ++n) {
       if (shares[n].empty()) continue;
@@ -304,7 +302,7 @@ class KnownTips {
 
 std::vector<TipChange> calibrate_tip(const Stencil& stencil, double horizon_ratio, const TipPlace& tip, double shift) {
   static KnownTips known;
-  KnownTips::Key key{horizon_ratio, tip.x, tip.y, tip.angle, tip.at_end ? 1.0 : 0.0, tip.moving ? 1.0 : 0.0, shift};
+  KnownTips::Key key{horizon_ratio, tip.x, tip.y, tip.angle, tip.at_end ? 1.0 : 0.0, shift};
   double largest = 0.0;
   for (const StencilEntry& entry : stencil.entries) largest = std::max(largest, entry.conductance);
   for (const StencilEntry& entry : stencil.entries) key.push_back(entry.conductance / largest);

@@ -18,7 +18,6 @@ struct TipPlace {
   double x = 0.0, y = 0.0;  ///< place within its cell of points, 0 to 1
   double angle = 0.0;       ///< in which direction the crack would go on
   bool at_end = true;       ///< points on the crack belong to its left side, seen towards the tip; else to its right
-  bool moving = false;      ///< on its way: what is missed at one place averages out, and a small patch will do
 };
 
 /// How the bonds within a horizon of a tip must change for the discrete crack to act from afar as the classical one: on

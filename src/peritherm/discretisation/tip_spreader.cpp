@@ -57,7 +57,6 @@ class TipSpreader {
   }
 
   void change_bond(std::size_t n, int k, double change) {
-    if (points_.is_kept(body_, points_.points()[n], k)) return;
     std::vector<double>& own = shares_[n];
     if (own.empty()) own.assign(stencil_.entries.size(), 1.0);
     // A wall or another crack may have left less of the bond than the patch knows.
@@ -81,12 +80,12 @@ bool is_inside(const Grid& grid, const Point& place) {
   return true;
 }
 
-std::vector<Tip> find_tips(const Body& body, const FacePoints& points, double horizon_ratio) {
+std::vector<Tip> find_tips(const Body& body, const FacePoints& points) {
   std::vector<Tip> found;
   for (const FacePiece& piece : points.pieces()) {
     for (const FacePiece::Tip& tip : piece.tips()) {
       const bool adjusts = body.cracks[piece.crack()].adjusts_tips() && is_inside(body.grid, tip.place);
-      if (!adjusts || piece.strength() == 0.0 || !points.are_near(tip.place, horizon_ratio)) continue;
+      if (!adjusts || piece.strength() == 0.0) continue;
       Tip one{{}, {}, piece.shift(), piece.strength()};
       std::array<double, 2> within{};
       for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -94,7 +93,7 @@ std::vector<Tip> find_tips(const Body& body, const FacePoints& points, double ho
         one.base[axis] = static_cast<int>(std::floor(place));
         within[axis] = finest_place * std::round((place - one.base[axis]) / finest_place);
       }
-      one.place = {within[0], within[1], std::atan2(tip.direction[1], tip.direction[0]), tip.at_end, tip.moving};
+      one.place = {within[0], within[1], std::atan2(tip.direction[1], tip.direction[0]), tip.at_end};
       found.push_back(one);
     }
   }
@@ -105,7 +104,7 @@ std::vector<Tip> find_tips(const Body& body, const FacePoints& points, double ho
 
 void adjust_tips(const Body& body, const Stencil& stencil, const FacePoints& points, double horizon_ratio,
                  std::vector<std::vector<double>>& shares) {
-  const std::vector<Tip> tips = find_tips(body, points, horizon_ratio);
+  const std::vector<Tip> tips = find_tips(body, points);
   std::vector<std::vector<TipChange>> changes(tips.size());
   const auto count = static_cast<std::int64_t>(tips.size());
 #pragma omp parallel for schedule(dynamic) if (count > 1)

@@ -6,8 +6,7 @@
 
 namespace peritherm {
 
-/// Adds to the shares of the points near faces, [point][entry], what calibrated tips change. Bonds that are kept are
-/// left alone.
+/// Adds to the shares of the points near faces, [point][entry], what calibrated tips change.
 void adjust_tips(const Body& body, const Stencil& stencil, const FacePoints& points, double horizon_ratio,
                  std::vector<std::vector<double>>& shares);
 

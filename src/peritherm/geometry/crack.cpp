@@ -135,6 +135,24 @@ double CrackSurface::contact(double time) const {
   return share;
 }
 
+double CrackSurface::length_to(const Point& x) const {
+  if (dimension_ == 1) return 0.0;
+  if (dimension_ == 3) {
+    const auto [along, across] = in_plane(x);
+    return radius_ > 0.0 ? std::hypot(along, across) : across;
+  }
+  double nearest = HUGE_VAL, found = 0.0;
+  for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
+    const double distance = distance_from_edge(points_[k], points_[k + 1], x[0], x[1]);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    const double place = directions_[k][0] * (x[0] - points_[k][0]) + directions_[k][1] * (x[1] - points_[k][1]);
+    const double longest = k + 2 < points_.size() ? arc_[k + 1] - arc_[k] : HUGE_VAL;
+    found = arc_[k] + std::clamp(place, k == 0 ? -HUGE_VAL : 0.0, longest);
+  }
+  return found;
+}
+
 double CrackSurface::end_time() const {
   if (tip_speed_ == 0.0 || dimension_ == 1) return start_time_;
   double longest = dimension_ == 2 ? arc_.back() : radius_;

@@ -223,6 +223,10 @@ class CrackSurface {
   /// Straight pieces (2-D) or one polygon (3-D) of the part that exists at a time; for pictures.
   std::vector<std::vector<Point>> outline(double time) const;
 
+  /// How far the crack has grown when it reaches the place on it that is nearest to x [m]; beyond its last point, how
+  /// far it would have.
+  double length_to(const Point& x) const;
+
   /// 2-D: the ends of the part that exists at a time, wherever they lie; none of a polyline that has closed.
   std::vector<CrackTip> tips(double time) const;
 
