@@ -38,11 +38,12 @@ double nearest_distance(const std::vector<FacePiece>& pieces, const std::vector<
   return nearest;
 }
 
-void append_knot(std::vector<ShareKnot>& knots, const ShareKnot& knot) {
-  const auto same = [](const ShareKnot& a, const ShareKnot& b) { return std::abs(a.share - b.share) <= same_share; };
+/// Shares that are the same are made equal to the bit, so that nothing is left to follow between their times.
+void append_knot(std::vector<ShareKnot>& knots, ShareKnot knot) {
   const std::size_t count = knots.size();
-  if (count > 0 && knots.back().time == knot.time && same(knots.back(), knot)) return;
-  if (count > 1 && same(knots[count - 1], knot) && same(knots[count - 2], knot)) {
+  if (count > 0 && std::abs(knots.back().share - knot.share) <= same_share) knot.share = knots.back().share;
+  if (count > 0 && knots.back().time == knot.time && knots.back().share == knot.share) return;
+  if (count > 1 && knots[count - 1].share == knot.share && knots[count - 2].share == knot.share) {
     knots.back().time = knot.time;
   } else {
     knots.push_back(knot);
