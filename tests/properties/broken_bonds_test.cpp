@@ -110,6 +110,7 @@ TEST(BrokenBonds, a_body_torn_in_two_conducts_like_one_with_a_crack_through_it) 
     const double at = (*problem.body.origin)[axis] + row * spacing;
     Problem cracked = problem, torn = problem;
     cracked.cracks.push_back(through_crack(problem, axis, at));
+    cracked.cracks.back().faces = Faces::cut;
     DamageOptions& damage = torn.damage.emplace();
     damage.critical_elongation = 0.5;
     damage.displacement.emplace(static_cast<std::size_t>(request.dimension), Profile(0.0));

@@ -26,6 +26,7 @@ TEST(Cracks, a_crack_only_lowers_exchange_and_a_conducting_one_does_so_less) {
     Crack crack = problem.cracks.back();
     problem.cracks.pop_back();
     crack.tip_speed.reset();
+    problem.nonlocality.faces = Faces::cut;
     crack.start_time = 0.0;
     for (const BackendName backend : both_backends) {
       const MeasuredBody body = measure(problem, backend);

@@ -35,6 +35,7 @@ GridIndex same(GridIndex p) { return p; }
 TEST(Invariance, moving_a_body_changes_nothing) {
   check_for_every_kernel({16, 8, 2}, [](BodyRequest request) {
     request.expressions = false;
+    request.mirrors = false;
     const Problem problem = *random_problem(request);
     const double far = 3.0 * problem.body.size[0];
     const Point shift{far * draw_real(-1.0, 1.0), far * draw_real(-1.0, 1.0), far * draw_real(-1.0, 1.0)};
@@ -51,6 +52,7 @@ TEST(Invariance, moving_a_body_changes_nothing) {
 TEST(Invariance, changing_units_changes_nothing) {
   check_for_every_kernel({16, 8, 2}, [](BodyRequest request) {
     request.expressions = false;
+    request.mirrors = false;
     const Problem problem = *random_problem(request);
     const double lengths[] = {1e-6, 1e3, 0.0254};
     const Units units{lengths[draw(0, 2)], draw_real(0.01, 100.0), draw_real(0.01, 100.0)};
@@ -70,6 +72,7 @@ TEST(Invariance, changing_units_changes_nothing) {
 /// Without what tells the axes or directions apart: where two held faces meet, the later axis decides.
 Problem draw_even_problem(BodyRequest request) {
   request.expressions = false;
+  request.mirrors = false;
   request.ties = false;
   Problem problem = *random_problem(request);
   surround_with(problem, 0.5);

@@ -14,6 +14,7 @@ bool stays_inside(const Crack& crack, double wall) {
 /// A body whose face x_min carries `wall`, and which can be mirrored about it.
 Problem draw_half(BodyRequest request, const BoundaryCondition& wall) {
   request.expressions = false;
+  request.mirrors = false;
   request.ties = false;
   request.contained = true;
   Problem problem = *random_problem(request);

@@ -24,6 +24,7 @@ inline void showValue(const Problem& problem, std::ostream& stream) { stream << 
 struct BodyRequest {
   int dimension = 2;
   Kernel kernel;
+  bool mirrors = true;      ///< some cracks with mirrored faces, whose fits end at a tolerance, and which know no ties
   bool ties = true;         ///< cracks along rows of points, whose side depends on the direction
   bool expressions = true;  ///< values that depend on place and time
   bool contained = false;   ///< all shapes lie inside the box
@@ -111,6 +112,7 @@ class BodyDraw {
     }
     if (request_.kernel.exponent == 2) options.self_term = draw_enum<SelfTerm>();
     options.interface = draw_enum<InterfaceRule>();
+    options.faces = request_.mirrors && draw_chance(25) ? Faces::mirror : Faces::cut;
   }
 
   void draw_materials() {

@@ -8,7 +8,8 @@
 namespace peritherm {
 namespace {
 
-/// The square [-1, 1]² with an insulated slit of half its width, held at ±100; from the exact steady state on.
+/// The square [-1, 1]² with an insulated slit of half its width that only cuts bonds, held at ±100; from the exact
+/// steady state on.
 Problem slit_square(int cells) {
   Problem problem = unit_body(2, cells, 6.5);
   problem.body.origin = Coordinates{-1.0, -1.0};
@@ -18,6 +19,7 @@ Problem slit_square(int cells) {
   set_face(problem, Face::y_min, held_at(-100.0));
   set_face(problem, Face::y_max, held_at(100.0));
   Crack crack;
+  crack.faces = Faces::cut;
   crack.points = {{-0.500001, 1e-6}, {0.500001, 1e-6}};
   problem.cracks.push_back(crack);
   problem.time.end = 3.0;

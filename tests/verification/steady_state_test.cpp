@@ -179,6 +179,7 @@ TEST(SteadyState, takes_growing_cracks_as_they_stand_at_the_end) {
   set_face(problem, Face::y_min, held_at(0.0));
   set_face(problem, Face::y_max, held_at(1.0));
   Crack crack;
+  crack.faces = Faces::cut;
   crack.points = {{-0.1, 0.5}, {0.9, 0.5}};
   problem.cracks = {crack};
   problem.time.integrator = SteadyState{};

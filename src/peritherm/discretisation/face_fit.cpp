@@ -219,7 +219,7 @@ class FaceFitter {
 
  private:
   void approach() {
-    const double enough = 1e-9 * largest_of(system_.target());
+    const double enough = 1e-12 * largest_of(system_.target());
     double dual = dual_at(lambda_);
     std::vector<double> step, trial(lambda_.size());
     for (int iteration = 0; iteration < most_iterations; ++iteration) {

@@ -81,17 +81,17 @@ std::vector<double> FaceHistory::epochs() const {
 void FaceHistory::follow(double from, double to) {
   epoch_ = from;
   fits_.clear();
+  const std::size_t count = model_.stencil.entries.size();
+  done_.assign(points_->points().size() * count, false);
   for (std::size_t n = 0; n < points_->points().size(); ++n) {
     Site site = site_of(n);
     const auto before = row(site, 0, from);
     const auto after = row(site, bit(site.passings.size()) - 1, from);
     if (before == nullptr && after == nullptr) continue;
-    const GridIndex& index = points_->points()[n].index;
-    const std::uint64_t count = model_.stencil.entries.size();
     for (std::size_t k = 0; k < count; ++k) {
       const bool changes = (before != nullptr && (*before)[k] != 1.0) || (after != nullptr && (*after)[k] != 1.0) ||
                            later_.contains(site.number * count + k);
-      if (!changes || classes_.key(index, static_cast<int>(k)) != site.number * count + k) continue;
+      if (!changes || done_[n * count + k]) continue;
       time_passings(site, static_cast<int>(k));
       record(site, static_cast<int>(k), from, to);
     }
@@ -131,8 +131,7 @@ void FaceHistory::time_passings(Site& site, int k) const {
     passing.begin = passing.end = crack.start_time();
     if (crack.tip_speed() == 0.0) continue;
     const double shift = model_.shifts[passing.crack] * spacing;
-    const double whole = crack.tip_speed() * (crack.end_time() - crack.start_time());
-    const double first = 0.5 * spacing, last = std::max(first, whole - 0.5 * spacing);
+    const double first = 0.5 * spacing, last = std::max(first, crack.full_length() - 0.5 * spacing);
     const double grown = std::clamp(length_to(site.point, k, passing.crack) + shift, first, last);
     passing.begin += (grown - 0.5 * spacing) / crack.tip_speed();
     passing.end = std::min(crack.end_time(), passing.end + (grown + 0.5 * spacing) / crack.tip_speed());
@@ -169,6 +168,8 @@ void FaceHistory::record(const Site& site, int k, double from, double to) {
 void FaceHistory::keep(const GridIndex& index, int k, const std::vector<ShareKnot>& knots, double from) {
   const std::uint64_t count = model_.stencil.entries.size();
   for (const auto& member : classes_.members(index, k)) {
+    const std::int64_t n = points_->find(static_cast<std::size_t>(member.first / count));
+    if (n >= 0) done_[static_cast<std::size_t>(n) * count + member.first % count] = true;
     double& first = first_.try_emplace(member.first / count, count, 1.0).first->second[member.first % count];
     if (from == 0.0) first = knots.front().share;
     if (from == 0.0 && knots.size() == 1) continue;

@@ -70,6 +70,7 @@ class FaceHistory {
   std::vector<bool> moves_;           ///< per crack: it grows or appears
   double epoch_ = 0.0;                ///< begin of the time in which no faces close or open
   std::deque<Fitted> fits_;           ///< of that time
+  std::vector<bool> done_;            ///< per point and entry: known for that time
   FaceShares first_;
   std::unordered_map<std::uint64_t, std::vector<ShareKnot>> later_;  ///< by point · entries + entry
   std::set<std::int64_t> cut_points_;

@@ -73,7 +73,10 @@ class FacePiece {
   /// Depth of a point of the plane inside the piece, counted from tips and fronts only; −∞ beyond joined ends.
   double depth(const Point& x) const;
   double depth_in_polygon(double along, double across) const;
+  /// Share of 1 that is cut at a depth; at tips a ramp one spacing wide.
   double ramp(double depth) const;
+  /// Share that is cut at a place of the plane.
+  double share_on(const Point& x) const;
   bool is_in_box(const Point& x) const;
 
   int dimension_;

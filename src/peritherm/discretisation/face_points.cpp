@@ -12,7 +12,7 @@ constexpr double off_face = 1e-6;  ///< spacings; a point on a face is moved thi
 constexpr double on_face = 1e-9;   ///< spacings
 constexpr int most_reflections = 6;
 constexpr double least_rise = 0.4;    ///< spacings between layers of cells
-constexpr double least_volume = 0.2;  ///< of a cell, left after balancing
+constexpr double least_volume = 0.2;  ///< of a cell, left after balancing or a second cut
 constexpr std::size_t largest_box = std::size_t{1} << 26;
 constexpr double half_diagonal = 0.87;   ///< of a cube, rounded up
 constexpr double taking_distance = 1.2;  ///< spacings; from the middle of what is given to the points that take it
@@ -245,7 +245,7 @@ Point FacePoints::unfolded_end(std::size_t n, int k) const {
   return end;
 }
 
-/// The part of a cell that lies beyond the face belongs to points there.
+/// The part of a cell that lies beyond a face belongs to points there.
 void FacePoints::share_cells(const Body& body) {
   struct Shared {
     std::size_t point;
@@ -254,19 +254,36 @@ void FacePoints::share_cells(const Body& body) {
   };
   std::vector<Shared> shared;
   for (std::size_t n = 0; n < points_.size(); ++n) {
-    const FacePiece& piece = pieces_[static_cast<std::size_t>(points_[n].frame)];
-    const double height = piece.height(points_[n].place);
-    if (std::abs(height) >= half_diagonal || !points_[n].whole) continue;
-    const Point foot = added(points_[n].place, scaled(piece.normal(), -height));
-    const double beyond = piece.share_at(foot) * cell_share_above(piece.normal(), std::abs(height));
-    if (beyond <= 1e-12) continue;
-    Takers takers = find_takers(body, n, -0.25);
-    if (takers.empty()) continue;
-    points_[n].volume -= beyond;
-    give(takers, beyond * grid_.volume_share(points_[n].index));
-    if (piece.jump(points_[n].conductivity) > 0.0) shared.push_back({n, beyond, std::move(takers)});
+    if (!points_[n].whole) continue;
+    for (const int k : faces_around(n)) {
+      const FacePiece& piece = pieces_[static_cast<std::size_t>(k)];
+      const double height = piece.height(points_[n].place);
+      const Point foot = added(points_[n].place, scaled(piece.normal(), -height));
+      const double beyond = piece.share_at(foot) * cell_share_above(piece.normal(), std::abs(height));
+      if (beyond <= 1e-12 || (k != points_[n].frame && points_[n].volume - beyond < least_volume)) continue;
+      Takers takers = find_takers(body, n, piece, -0.25);
+      if (takers.empty()) continue;
+      points_[n].volume -= beyond;
+      give(takers, beyond * grid_.volume_share(points_[n].index));
+      if (piece.jump(points_[n].conductivity) > 0.0) shared.push_back({n, beyond, std::move(takers)});
+    }
   }
   for (const auto& [n, beyond, takers] : shared) balance_cells(body, n, beyond, takers);
+}
+
+/// The nearest face, and others that may cut the cell on the opposite side: an image, if the wall is near.
+std::vector<int> FacePoints::faces_around(std::size_t n) const {
+  const FacePoint& point = points_[n];
+  const auto towards = [&](int k) {
+    const FacePiece& piece = pieces_[static_cast<std::size_t>(k)];
+    return scaled(piece.normal(), piece.height(point.place) >= 0.0 ? -1.0 : 1.0);
+  };
+  std::vector<int> found;
+  for (const int k : pieces_near_[n]) {
+    if (std::abs(pieces_[static_cast<std::size_t>(k)].height(point.place)) >= half_diagonal) continue;
+    if (k == point.frame || dot(towards(k), towards(point.frame)) < -0.9) found.push_back(k);
+  }
+  return found;
 }
 
 void FacePoints::give(const Takers& takers, double volume) {
@@ -293,7 +310,7 @@ void FacePoints::balance_cells(const Body& body, std::size_t n, double beyond, c
   const FacePiece& piece = pieces_[static_cast<std::size_t>(points_[n].frame)];
   const double height = std::abs(piece.height(points_[n].place));
   const double side = piece.height(points_[n].place) >= 0.0 ? 1.0 : -1.0;
-  const Takers above = find_takers(body, n, height + 1.0), below = find_takers(body, n, -1.25);
+  const Takers above = find_takers(body, n, piece, height + 1.0), below = find_takers(body, n, piece, -1.25);
   if (above.empty() || below.empty()) return;
   const double taken_at = side * mean_height(takers, piece);
   const double rise = side * mean_height(above, piece) - height, fall = taken_at - side * mean_height(below, piece);
@@ -312,9 +329,9 @@ void FacePoints::balance_cells(const Body& body, std::size_t n, double beyond, c
 
 /// Points around the place at a height above the face, counted towards the point's own side, and on the same side as
 /// it, which no other face parts from it.
-FacePoints::Takers FacePoints::find_takers(const Body& body, std::size_t n, double above) const {
+FacePoints::Takers FacePoints::find_takers(const Body& body, std::size_t n, const FacePiece& piece,
+                                           double above) const {
   const FacePoint& point = points_[n];
-  const FacePiece& piece = pieces_[static_cast<std::size_t>(point.frame)];
   const double height = piece.height(point.place), side = height >= 0.0 ? 1.0 : -1.0;
   const Point middle = added(point.place, scaled(piece.normal(), above * side - height));
   Takers takers;
@@ -328,7 +345,8 @@ FacePoints::Takers FacePoints::find_takers(const Body& body, std::size_t n, doub
         const double weight = taking_distance - length(difference(there, middle));
         if (weight <= 0.0 || piece.height(there) * side * above <= 0.0) continue;
         const bool parted = std::any_of(pieces_near_[n].begin(), pieces_near_[n].end(), [&](int m) {
-          return m != point.frame && pieces_[static_cast<std::size_t>(m)].meets(middle, there, 0.0);
+          const FacePiece& other = pieces_[static_cast<std::size_t>(m)];
+          return &other != &piece && other.meets(middle, there, 0.0);
         });
         const std::int64_t taker = parted ? -1 : find(body.fold(q));
         if (taker >= 0 && points_[static_cast<std::size_t>(taker)].whole)

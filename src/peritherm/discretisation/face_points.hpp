@@ -65,7 +65,8 @@ class FacePoints {
   void look_along_bonds(const Body& body, std::size_t point, double horizon_ratio);
   void share_cells(const Body& body);
   using Takers = std::vector<std::pair<std::size_t, double>>;  ///< places in points_, with weights
-  Takers find_takers(const Body& body, std::size_t point, double above) const;
+  std::vector<int> faces_around(std::size_t point) const;
+  Takers find_takers(const Body& body, std::size_t point, const FacePiece& piece, double above) const;
   void give(const Takers& takers, double volume);
   double mean_height(const Takers& takers, const FacePiece& piece) const;
   void balance_cells(const Body& body, std::size_t point, double beyond, const Takers& takers);

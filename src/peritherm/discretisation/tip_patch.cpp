@@ -41,7 +41,7 @@ class TipPatch {
  public:
   TipPatch(const Stencil& stencil, double horizon_ratio, const TipPlace& tip, double shift)
       : stencil_(stencil), ratio_(horizon_ratio), radius_(patch_radius(horizon_ratio) * horizon_ratio) {
-    half_ = static_cast<int>(std::ceil(radius_)) + 2 * stencil.radius + 2;
+    half_ = static_cast<int>(std::ceil(radius_)) + 4 * stencil.radius + 2;
     width_ = 2 * half_ + 1;
     double second_moment = 0.0;
     for (const auto& [offset, conductance] : stencil.entries) second_moment += conductance * offset[0] * offset[0];
@@ -197,7 +197,7 @@ class TipPatch {
     for (std::size_t n = 0; n < size; ++n) residual[n] = residual_of_mode[n] + image[n];
     Values direction = residual;
     double square = product(residual, residual);
-    const double enough = 1e-12 * product(residual_of_mode, residual_of_mode);
+    const double enough = 1e-16 * product(residual_of_mode, residual_of_mode);
     for (int iteration = 0; iteration < 2000 && square > enough; ++iteration) {
       apply(direction, changes, image);
       const double length = -square / product(direction, image);

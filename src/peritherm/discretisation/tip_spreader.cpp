@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "peritherm/discretisation/tip_patch.hpp"
 
@@ -35,6 +36,15 @@ class TipSpreader {
     }
   }
 
+  /// A wall or another crack may have left less of a bond than the patch knows.
+  void apply() {
+    for (const auto& [n, changes] : changes_) {
+      std::vector<double>& own = shares_[n];
+      if (own.empty()) own.assign(stencil_.entries.size(), 1.0);
+      for (std::size_t k = 0; k < own.size(); ++k) own[k] = std::max(own[k] + changes[k], least_left * own[k]);
+    }
+  }
+
  private:
   /// What happens beyond a wall is what the image of the tip does inside; on the wall it does it too.
   void add_one_way(const GridIndex& p, const GridIndex& offset, double change) {
@@ -57,11 +67,8 @@ class TipSpreader {
   }
 
   void change_bond(std::size_t n, int k, double change) {
-    std::vector<double>& own = shares_[n];
-    if (own.empty()) own.assign(stencil_.entries.size(), 1.0);
-    // A wall or another crack may have left less of the bond than the patch knows.
-    double& share = own[static_cast<std::size_t>(k)];
-    share = std::max(share + change, least_left * share);
+    std::vector<double>& own = changes_.try_emplace(n, stencil_.entries.size(), 0.0).first->second;
+    own[static_cast<std::size_t>(k)] += change;
   }
 
   const Body& body_;
@@ -69,6 +76,7 @@ class TipSpreader {
   const FacePoints& points_;
   const OffsetTable table_;
   std::vector<std::vector<double>>& shares_;
+  std::map<std::size_t, std::vector<double>> changes_;  ///< by all tips, per point and entry
 };
 
 /// Tips of images lie outside. In spacings.
@@ -80,13 +88,15 @@ bool is_inside(const Grid& grid, const Point& place) {
   return true;
 }
 
-std::vector<Tip> find_tips(const Body& body, const FacePoints& points) {
+std::vector<Tip> find_tips(const Body& body, const FacePoints& points, double horizon_ratio) {
   std::vector<Tip> found;
   for (const FacePiece& piece : points.pieces()) {
     for (const FacePiece::Tip& tip : piece.tips()) {
       const bool adjusts = body.cracks[piece.crack()].adjusts_tips() && is_inside(body.grid, tip.place);
       if (!adjusts || piece.strength() == 0.0) continue;
-      Tip one{{}, {}, piece.shift(), piece.strength()};
+      // The patch knows one tip only.
+      const double horizons = body.cracks[piece.crack()].full_length() / (horizon_ratio * body.grid.spacing);
+      Tip one{{}, {}, piece.shift(), piece.strength() * std::clamp(horizons - 1.0, 0.0, 1.0)};
       std::array<double, 2> within{};
       for (std::size_t axis = 0; axis < 2; ++axis) {
         const double place = finest_place * std::round(tip.place[axis] / finest_place);
@@ -104,7 +114,7 @@ std::vector<Tip> find_tips(const Body& body, const FacePoints& points) {
 
 void adjust_tips(const Body& body, const Stencil& stencil, const FacePoints& points, double horizon_ratio,
                  std::vector<std::vector<double>>& shares) {
-  const std::vector<Tip> tips = find_tips(body, points);
+  const std::vector<Tip> tips = find_tips(body, points, horizon_ratio);
   std::vector<std::vector<TipChange>> changes(tips.size());
   const auto count = static_cast<std::int64_t>(tips.size());
 #pragma omp parallel for schedule(dynamic) if (count > 1)
@@ -114,6 +124,7 @@ void adjust_tips(const Body& body, const Stencil& stencil, const FacePoints& poi
   }
   TipSpreader spreader(body, stencil, points, shares);
   for (std::size_t n = 0; n < tips.size(); ++n) spreader.add(tips[n], changes[n]);
+  spreader.apply();
 }
 
 }  // namespace peritherm

@@ -63,10 +63,11 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     for (const Point& point : points_) plane_corners_.push_back(in_plane(point));
   }
   adjusts_tips_ = !crack.tip_shift || std::holds_alternative<AutomaticTipShift>(*crack.tip_shift);
-  mirrors_ = crack.faces == Faces::mirror;
   if (crack.gap) gap_coefficient_ = peritherm::gap_coefficient(*crack.gap);
   if (crack.contact) contact_changes_ = peritherm::contact_changes(*crack.contact);
   measure_segments();
+  too_short_ = dimension > 1 && full_length() < spacing;
+  mirrors_ = crack.faces == Faces::mirror && !too_short_;
   lower_ = upper_ = points_[0];
   for (int axis = 0; axis < 3; ++axis) {
     for (const Point& point : points_) {
@@ -154,10 +155,13 @@ double CrackSurface::length_to(const Point& x) const {
 }
 
 double CrackSurface::end_time() const {
-  if (tip_speed_ == 0.0 || dimension_ == 1) return start_time_;
+  return tip_speed_ > 0.0 ? start_time_ + full_length() / tip_speed_ : start_time_;
+}
+
+double CrackSurface::full_length() const {
   double longest = dimension_ == 2 ? arc_.back() : radius_;
   for (const auto& corner : plane_corners_) longest = std::max(longest, corner[1]);
-  return start_time_ + longest / tip_speed_;
+  return longest;
 }
 
 std::optional<CrackPassage> CrackSurface::passage(const Point& a, const Point& b, std::span<const int> parts) const {

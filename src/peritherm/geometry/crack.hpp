@@ -223,6 +223,8 @@ class CrackSurface {
   /// Straight pieces (2-D) or one polygon (3-D) of the part that exists at a time; for pictures.
   std::vector<std::vector<Point>> outline(double time) const;
 
+  /// Length of a polyline, depth of a polygon from its first edge, radius of a disc; 0 in 1-D [m].
+  double full_length() const;
   /// How far the crack has grown when it reaches the place on it that is nearest to x [m]; beyond its last point, how
   /// far it would have.
   double length_to(const Point& x) const;
@@ -247,6 +249,8 @@ class CrackSurface {
   const std::vector<ContactChange>& contact_changes() const { return contact_changes_; }
   /// Bonds that it passes are mirrored, and not only cut.
   bool mirrors() const { return mirrors_; }
+  /// Shorter than a spacing: the grid does not know which way it goes, and bonds are only cut.
+  bool is_too_short_to_mirror() const { return too_short_; }
   /// Bonds around its tips are adjusted to their place on the grid.
   bool adjusts_tips() const { return adjusts_tips_; }
   /// True if bonds are cut after the start of the run.
@@ -277,6 +281,7 @@ class CrackSurface {
   double start_time_;
   double tip_speed_ = 0.0;  ///< 0: all at once
   bool mirrors_ = false;
+  bool too_short_ = false;
   bool adjusts_tips_ = true;
   std::vector<Point> points_;                         ///< corners; of a disc: its centre only
   bool closed_ = false;                               ///< 2-D: the last point is the first

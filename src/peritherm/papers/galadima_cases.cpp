@@ -54,7 +54,9 @@ Problem galadima_plate(PlateLoad load) {
   problem.body.size = {plate_edge, plate_edge};
   problem.body.cells = std::vector<int>{plate_points, plate_points};
   problem.time.end = 7e-3;
-  problem.cracks.emplace_back().points = {{-plate_crack / 2.0, 0.0}, {plate_crack / 2.0, 0.0}};
+  Crack& crack = problem.cracks.emplace_back();
+  crack.points = {{-plate_crack / 2.0, 0.0}, {plate_crack / 2.0, 0.0}};
+  crack.faces = Faces::cut;
   for (const Face face : {Face::x_min, Face::x_max, Face::y_max}) insulate(problem, face, Outside::natural);
   if (load == PlateLoad::held) {
     hold_row(problem, Face::y_min);

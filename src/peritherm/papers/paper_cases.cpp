@@ -45,7 +45,9 @@ void insulate(Problem& problem, Face face, Outside imposed) {
 }
 
 void add_paper_crack(Problem& problem, const Coordinates& from_cm, const Coordinates& to_cm) {
-  problem.cracks.emplace_back().points = {in_metres(from_cm), in_metres(to_cm)};
+  Crack& crack = problem.cracks.emplace_back();
+  crack.points = {in_metres(from_cm), in_metres(to_cm)};
+  crack.faces = Faces::cut;
 }
 
 Problem in_scheme(Problem problem, Scheme scheme, PointPlacement points) {

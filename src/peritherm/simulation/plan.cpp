@@ -233,7 +233,14 @@ std::string at_place(const Point& place, int dimension) {
 }
 
 /// Faces that could not be mirrored are never passed over.
-void describe_faces(const Body& body, Plan& plan) {
+void describe_faces(const Problem& problem, const Body& body, Plan& plan) {
+  for (std::size_t c = 0; c < problem.cracks.size(); ++c) {
+    if (problem.cracks[c].faces != Faces::mirror || !body.cracks[c].is_too_short_to_mirror()) continue;
+    plan.warnings.push_back(
+        "crack." + std::to_string(c) +
+        " is shorter than a spacing, and its bonds are only cut: the grid does not know which way it "
+        "goes. Choose more cells, or faces = \"cut\"");
+  }
   const MirroredFaces& faces = body.faces;
   if (faces.empty()) return;
   plan.faces = FacesPlan{faces.points().size(), faces.lowest_share(), faces.highest_share()};
@@ -262,7 +269,7 @@ Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenS
   const CutBonds* const known = assembly.system->conduction().cut_bonds();
   plan.cut_bonds = known != nullptr ? known->count_before(problem.time.end)
                                     : find_cut_bonds(body, geometry.stencil).count_before(problem.time.end);
-  describe_faces(body, plan);
+  describe_faces(problem, body, plan);
   plan.backend = name_of(assembly.backend);
   plan.backend_reason = prepared.choice.reason;
   plan.precision = name_of(problem.numerics.precision);

@@ -123,7 +123,7 @@ struct NonlocalityOptions {
                  "as the scheme has it"),
         optional("faces", &NonlocalityOptions::faces,
                  "bonds that cracks pass: mirror: their conductance goes to bonds along their side, second order; cut: "
-                 "it is lost, first order; default: cut"),
+                 "it is lost, first order; default: mirror, in the schemes of papers cut"),
         optional("tip_shift", &NonlocalityOptions::tip_shift,
                  "by how much the effective tips of cracks are pulled back where faces mirror: \"auto\" (default), "
                  "\"none\" or a share of the horizon")};

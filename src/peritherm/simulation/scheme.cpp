@@ -31,6 +31,7 @@ SchemeChoices choices_of(Scheme scheme) {
   // The papers' bonds conduct exactly in the limit of many neighbours only, and hold the outermost points themselves.
   choices.calibration = Calibration::continuum;
   choices.held = Imposed::row;
+  choices.faces = Faces::cut;
   if (scheme == Scheme::bobaru_2010) {
     choices.partial_volumes = PartialVolumes::half;
     choices.self_term = SelfTerm::bobaru_2010;

@@ -29,7 +29,7 @@ struct SchemeChoices {
   SelfTerm self_term = SelfTerm::none;
   InterfaceRule interface = InterfaceRule::length_weighted_harmonic;
   BoundaryVolumes boundary_volumes = BoundaryVolumes::partial;
-  Faces faces = Faces::cut;             ///< of cracks
+  Faces faces = Faces::mirror;          ///< of cracks
   Imposed held = Imposed::mirror;       ///< of held faces
   Outside insulated = Outside::mirror;  ///< of insulated faces
   Outside flux = Outside::mirror;       ///< of faces with a prescribed flux

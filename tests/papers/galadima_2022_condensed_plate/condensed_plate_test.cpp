@@ -21,6 +21,7 @@ Problem condensed_plate(bool held_below) {
   problem.nonlocality.partial_volumes = PartialVolumes::whole;
   problem.nonlocality.calibration = Calibration::continuum;
   problem.cracks.emplace_back().points = {{-0.0008, 0.0}, {0.0008, 0.0}};
+  problem.nonlocality.faces = Faces::cut;
   for (const Face face : {Face::x_min, Face::x_max, Face::y_max}) set_face(problem, face, Insulated{Outside::natural});
   if (held_below) {
     HeldTemperature held = held_at(1.0, Imposed::inner);
