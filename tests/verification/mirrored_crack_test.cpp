@@ -211,5 +211,22 @@ TEST(MirroredCrack, keeps_heat_beside_other_materials_and_where_bonds_break) {
   }
 }
 
+TEST(MirroredCrack, beside_an_open_wall_lets_nothing_through) {
+  for (const PointPlacement points : placements) {
+    for (const double ratio : {1.0, 3.0}) {
+      Problem problem = unit_body(1, 20, ratio);
+      problem.body.points = points;
+      problem.initial.temperature = Profile("x > 0.035 ? 1 : 0");
+      problem.cracks.emplace_back().points = {{0.035}};
+      set_face(problem, Face::x_min, Insulated{Outside::natural});
+      March run(problem);
+      run.advance_to(0.1);
+      const std::vector<double> values = run.temperatures();
+      // Rounding of some thousand evaluations.
+      for (std::size_t n = 0; n < values.size(); ++n) EXPECT_NEAR(values[n], n == 0 ? 0.0 : 1.0, 1e-10) << n;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace peritherm

@@ -11,8 +11,17 @@ namespace {
 
 /// Shares that differ by less are one.
 constexpr double same_share = 1e-6;
+/// Horizons beyond the bonds that a crack may change within which its fit is felt by that of another one.
+constexpr double felt_beyond = 3.0;
 /// Cracks near one point that are told apart; more than that come and go with the times of others.
 constexpr std::size_t most_passings = 16;
+
+/// Along straight rows far from tips shares differ by what the fit's end leaves only. Rounded to 2e-10 they are the
+/// same, and points share lists of bonds.
+double rounded(double share) {
+  constexpr double steps = 4294967296.0;
+  return std::round(share * steps) / steps;
+}
 
 std::uint64_t bit(std::size_t n) { return std::uint64_t{1} << n; }
 
@@ -28,11 +37,9 @@ Point folded_place(const Grid& grid, const Point& x) {
   return inside;
 }
 
-double nearest_distance(const std::vector<FacePiece>& pieces, const std::vector<int>& near, std::size_t crack,
-                        const Point& x) {
+double nearest_distance(const std::vector<FacePiece>& pieces, std::size_t crack, const Point& x) {
   double nearest = HUGE_VAL;
-  for (const int n : near) {
-    const FacePiece& piece = pieces[static_cast<std::size_t>(n)];
+  for (const FacePiece& piece : pieces) {
     if (piece.crack() == crack) nearest = std::min(nearest, piece.distance_to(x));
   }
   return nearest;
@@ -100,10 +107,12 @@ void FaceHistory::follow(double from, double to) {
 
 FaceHistory::Site FaceHistory::site_of(std::size_t point) const {
   Site site{point, model_.body.grid.number(points_->points()[point].index), {}};
+  const double near = 2.0 * longest_offset(model_.stencil) + felt_beyond * model_.horizon_ratio;
+  const Point place = in_spacings(points_->points()[point].index);
   std::set<std::size_t> cracks;
-  for (const int n : points_->pieces_near(point)) {
-    const std::size_t crack = pieces_[static_cast<std::size_t>(n)].crack();
-    if (moves_[crack]) cracks.insert(crack);
+  for (const FacePiece& piece : pieces_) {
+    if (moves_[piece.crack()] && !cracks.contains(piece.crack()) && piece.distance_to(place) < near)
+      cracks.insert(piece.crack());
   }
   for (const std::size_t crack : cracks) {
     if (site.passings.size() < most_passings) site.passings.push_back({crack});
@@ -116,9 +125,7 @@ double FaceHistory::length_to(std::size_t point, int k, std::size_t crack) const
   const GridIndex& p = points_->points()[point].index;
   const GridIndex& offset = model_.stencil.entries[static_cast<std::size_t>(k)].offset;
   const Point a = in_spacings(p), b = added(a, in_spacings(offset));
-  const std::vector<int>& near = points_->pieces_near(point);
-  const double from_a = nearest_distance(pieces_, near, crack, a);
-  const double from_b = nearest_distance(pieces_, near, crack, b);
+  const double from_a = nearest_distance(pieces_, crack, a), from_b = nearest_distance(pieces_, crack, b);
   const double share = from_a + from_b > 0.0 ? from_a / (from_a + from_b) : 0.5;
   return model_.body.cracks[crack].length_to(folded_place(model_.body.grid, between(a, b, share)));
 }
@@ -196,7 +203,7 @@ double FaceHistory::share(const Site& site, int k, double time, Side side) {
     }
     const std::vector<double>* const own = row(site, over | subset, time);
     sum += weight * (own == nullptr ? 1.0 : (*own)[static_cast<std::size_t>(k)]);
-    if (subset == 0) return sum;
+    if (subset == 0) return rounded(sum);
   }
 }
 

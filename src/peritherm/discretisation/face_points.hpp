@@ -50,9 +50,6 @@ class FacePoints {
   std::int64_t find(const GridIndex& index) const;
   std::int64_t find(std::size_t number) const;
   const std::vector<FacePiece>& pieces() const { return pieces_; }
-  /// Which pieces are near a point.
-  const std::vector<int>& pieces_near(std::size_t point) const { return pieces_near_[point]; }
-
   /// Where bond k of a point ends, seen from its side of the faces: mirrored at each one it meets.
   Point unfolded_end(std::size_t point, int k) const;
 

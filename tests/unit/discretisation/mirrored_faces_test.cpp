@@ -19,7 +19,7 @@ struct MirroredPlate {
   std::vector<double> shifts;
 
   MirroredPlate(int cells, PointPlacement placement, const std::vector<std::vector<Coordinates>>& cracks,
-                int dimension = 2) {
+                int dimension = 2, double tip_speed = 0.0) {
     body.grid.dimension = dimension;
     for (int axis = 0; axis < dimension; ++axis) body.grid.cells[axis] = cells;
     body.grid.placement = placement;
@@ -29,6 +29,7 @@ struct MirroredPlate {
       Crack crack;
       crack.points = points;
       crack.faces = Faces::mirror;
+      if (tip_speed > 0.0) crack.tip_speed = tip_speed;
       body.cracks.emplace_back(crack, dimension, 1.0);
       shifts.push_back(0.11 * mirrored_ratio);
     }
@@ -141,6 +142,53 @@ TEST(MirroredFaces, of_cracks_too_near_to_each_other_are_named) {
   EXPECT_GT(plate.body.faces.cut_points().size(), 0U);
   const MirroredPlate apart(20, PointPlacement::centres, {{{3.0, 6.6}, {17.0, 6.6}}, {{3.0, 13.4}, {17.0, 13.4}}});
   EXPECT_EQ(apart.body.faces.cut_points().size(), 0U);
+}
+
+/// Calls visit(p, q, share) for what all bonds of a plate conduct at first, or at last, over their beginning's cell.
+template <class Visit>
+void for_shares(const MirroredPlate& plate, bool at_last, const Visit& visit) {
+  const Grid& grid = plate.body.grid;
+  std::vector<ShareKnot> later;
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    const GridIndex p = grid.index(n);
+    for (const StencilEntry& entry : plate.stencil.entries) {
+      const GridIndex q{p[0] + entry.offset[0], p[1] + entry.offset[1], 0};
+      double share = 0.0;
+      plate.body.faces.look_up(grid, grid.position(p), grid.position(q), share, later);
+      visit(p, q, at_last && !later.empty() ? later.back().share : share);
+    }
+  }
+}
+
+void expect_same_shares(const MirroredPlate& first, bool first_at_last, const MirroredPlate& second) {
+  std::vector<double> shares;
+  for_shares(second, false, [&](const GridIndex&, const GridIndex&, double share) { shares.push_back(share); });
+  std::size_t next = 0;
+  for_shares(first, first_at_last, [&](const GridIndex& p, const GridIndex& q, double share) {
+    EXPECT_NEAR(share, shares[next++], 1e-6) << p[0] << ' ' << p[1] << ' ' << q[0] << ' ' << q[1];
+  });
+}
+
+TEST(MirroredFaces, of_cracks_on_top_of_each_other_count_once) {
+  const Coordinates begin{4.1, 6.3}, end{15.2, 12.9};
+  const auto on_the_way = [&](double share) {
+    return Coordinates{begin[0] + share * (end[0] - begin[0]), begin[1] + share * (end[1] - begin[1])};
+  };
+  const MirroredPlate once(20, PointPlacement::centres, {{begin, end}});
+  const MirroredPlate twice(20, PointPlacement::centres, {{begin, end}, {begin, end}});
+  const MirroredPlate overlapping(20, PointPlacement::centres, {{begin, on_the_way(0.7)}, {end, on_the_way(0.4)}});
+  expect_same_shares(twice, false, once);
+  expect_same_shares(overlapping, false, once);
+}
+
+TEST(MirroredFaces, of_a_crack_that_has_grown_are_those_of_the_standing_one) {
+  const std::vector<std::vector<Coordinates>> cracks{{{4.1, 6.3}, {15.2, 12.9}}, {{5.2, 13.1}, {14.9, 6.1}}};
+  const MirroredPlate standing(20, PointPlacement::centres, cracks),
+      growing(20, PointPlacement::centres, cracks, 2, 3.0);
+  expect_same_shares(growing, true, standing);
+  for_shares(growing, false, [&](const GridIndex& p, const GridIndex&, double share) {
+    EXPECT_EQ(share * growing.body.faces.volume(growing.body.grid.number(p)), 1.0);
+  });
 }
 
 TEST(MirroredFaces, work_on_a_bar_and_in_a_solid) {

@@ -243,5 +243,26 @@ TEST(Crack, bounds_enclose_the_crack) {
   EXPECT_EQ(CrackSurface(penny(), 3, spacing).bounds(), (std::array<Point, 2>{{{-0.5, -0.5, 1.0}, {0.5, 0.5, 1.0}}}));
 }
 
+TEST(Crack, tells_how_far_it_has_grown_when_it_reaches_a_place) {
+  const CrackSurface bent(along({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}), 2, spacing);
+  EXPECT_DOUBLE_EQ(bent.full_length(), 2.0);
+  EXPECT_DOUBLE_EQ(bent.length_to({0.3, 0.2, 0.0}), 0.3);
+  EXPECT_DOUBLE_EQ(bent.length_to({1.2, 0.4, 0.0}), 1.4);
+  EXPECT_DOUBLE_EQ(bent.length_to({1.1, 1.5, 0.0}), 2.5);
+  EXPECT_DOUBLE_EQ(bent.length_to({-0.5, 0.1, 0.0}), -0.5);
+  const CrackSurface plane(along({{0, 0, 1}, {2, 0, 1}, {2, 3, 1}, {0, 3, 1}}), 3, spacing);
+  EXPECT_DOUBLE_EQ(plane.full_length(), 3.0);
+  EXPECT_DOUBLE_EQ(plane.length_to({0.7, 1.25, 0.4}), 1.25);
+}
+
+TEST(Crack, shorter_than_a_spacing_is_only_cut) {
+  Crack crack = along({{0.0, 0.0}, {0.09, 0.0}});
+  crack.faces = Faces::mirror;
+  EXPECT_TRUE(CrackSurface(crack, 2, spacing).is_too_short_to_mirror());
+  EXPECT_FALSE(CrackSurface(crack, 2, spacing).mirrors());
+  crack.points[1] = {0.2, 0.0};
+  EXPECT_TRUE(CrackSurface(crack, 2, spacing).mirrors());
+}
+
 }  // namespace
 }  // namespace peritherm
