@@ -36,6 +36,7 @@ Problem make_problem(const BodyKind& kind) {
   const Face low = make_face(kind.dimension - 1, false), high = make_face(kind.dimension - 1, true);
   problem.boundaries.push_back({high, std::nullopt, HeldTemperature{Profile(1.0), Imposed::mirror, std::nullopt}});
   problem.boundaries.push_back({low, std::nullopt, HeldTemperature{Profile(0.0), Imposed::mirror, std::nullopt}});
+  problem.nonlocality.faces = kind.faces;
   if (kind.cracked && kind.dimension > 1) problem.cracks.push_back(half_width_crack(kind.dimension));
   return problem;
 }

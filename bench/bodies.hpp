@@ -17,6 +17,7 @@ struct BodyKind {
   bool cracked = false;
   BackendName backend = BackendName::stencil;
   Precision precision = Precision::full;
+  Faces faces = Faces::cut;  ///< of the crack
 };
 Problem make_problem(const BodyKind& kind);
 
