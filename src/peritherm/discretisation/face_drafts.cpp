@@ -228,7 +228,7 @@ std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double
   for (const CrackSurface& crack : body.cracks) {
     strengths.push_back((1.0 - (choice.touching ? crack.contact(choice.time) : 0.0)) * (1.0 - crack.transmission()));
   }
-  drafts = without_repeats(body, shifts, strengths, std::move(drafts));
+  if (!choice.repeats) drafts = without_repeats(body, shifts, strengths, std::move(drafts));
   const TipSearch search(body, drafts, shifts);
   std::vector<FacePiece> pieces;
   for (std::size_t n = 0; n < drafts.size(); ++n) {

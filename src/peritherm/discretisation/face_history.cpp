@@ -69,6 +69,7 @@ FaceHistory::FaceHistory(const FaceModel& model, double end)
   }
   pieces_ = make_face_pieces(body, shifts, longest_offset(stencil) + 2.0, {there, 0.0, false});
   if (pieces_.empty()) return;
+  tracks_ = make_face_pieces(body, shifts, longest_offset(stencil) + 2.0, {there, 0.0, false, true});
   points_.emplace(body, stencil, pieces_, ratio);
   const std::vector<double> times = epochs();
   for (std::size_t n = 0; n < times.size(); ++n) follow(times[n], n + 1 < times.size() ? times[n + 1] : end);
@@ -110,7 +111,7 @@ FaceHistory::Site FaceHistory::site_of(std::size_t point) const {
   const double near = 2.0 * longest_offset(model_.stencil) + felt_beyond * model_.horizon_ratio;
   const Point place = in_spacings(points_->points()[point].index);
   std::set<std::size_t> cracks;
-  for (const FacePiece& piece : pieces_) {
+  for (const FacePiece& piece : tracks_) {
     if (moves_[piece.crack()] && !cracks.contains(piece.crack()) && piece.distance_to(place) < near)
       cracks.insert(piece.crack());
   }
@@ -125,7 +126,7 @@ double FaceHistory::length_to(std::size_t point, int k, std::size_t crack) const
   const GridIndex& p = points_->points()[point].index;
   const GridIndex& offset = model_.stencil.entries[static_cast<std::size_t>(k)].offset;
   const Point a = in_spacings(p), b = added(a, in_spacings(offset));
-  const double from_a = nearest_distance(pieces_, crack, a), from_b = nearest_distance(pieces_, crack, b);
+  const double from_a = nearest_distance(tracks_, crack, a), from_b = nearest_distance(tracks_, crack, b);
   const double share = from_a + from_b > 0.0 ? from_a / (from_a + from_b) : 0.5;
   return model_.body.cracks[crack].length_to(folded_place(model_.body.grid, between(a, b, share)));
 }

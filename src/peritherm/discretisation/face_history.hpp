@@ -66,6 +66,7 @@ class FaceHistory {
   OffsetTable table_;
   BondClasses classes_;
   std::vector<FacePiece> pieces_;
+  std::vector<FacePiece> tracks_;     ///< the same, and what lies on top of others
   std::optional<FacePoints> points_;  ///< with all cracks that there will be
   std::vector<bool> moves_;           ///< per crack: it grows or appears
   double epoch_ = 0.0;                ///< begin of the time in which no faces close or open

@@ -98,6 +98,7 @@ struct CrackChoice {
   std::vector<bool> there{};  ///< per crack; empty: all
   double time = 0.0;          ///< at which faces touch or not [s]
   bool touching = true;       ///< cracks that are closed at that time conduct; otherwise all are open
+  bool repeats = false;       ///< what lies on top of others, too
 };
 
 /// The pieces of complete mirroring cracks of a body, with their images across walls within

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "peritherm/discretisation/body.hpp"
@@ -187,8 +188,27 @@ TEST(MirroredFaces, of_a_crack_that_has_grown_are_those_of_the_standing_one) {
       growing(20, PointPlacement::centres, cracks, 2, 3.0);
   expect_same_shares(growing, true, standing);
   for_shares(growing, false, [&](const GridIndex& p, const GridIndex&, double share) {
-    EXPECT_EQ(share * growing.body.faces.volume(growing.body.grid.number(p)), 1.0);
+    EXPECT_DOUBLE_EQ(share * growing.body.faces.volume(growing.body.grid.number(p)), 1.0);
   });
+}
+
+TEST(MirroredFaces, of_cracks_that_grow_over_each_other_change_when_the_first_of_them_passes) {
+  const Coordinates begin{4.1, 6.3}, end{15.2, 12.9};
+  const MirroredPlate both(20, PointPlacement::centres, {{begin, end}, {end, begin}}, 2, 1.0);
+  const MirroredPlate one(20, PointPlacement::centres, {{begin, end}}, 2, 1.0);
+  const Grid& grid = one.body.grid;
+  const auto change_of = [&](const MirroredPlate& plate, const GridIndex& p) {
+    double share = 0.0;
+    std::vector<ShareKnot> later;
+    plate.body.faces.look_up(grid, grid.position(p), grid.position({p[0], p[1] + 1, 0}), share, later);
+    EXPECT_FALSE(later.empty());
+    const auto cut =
+        std::find_if(later.begin(), later.end(), [&](const auto& knot) { return knot.share < 0.01 * share; });
+    return cut == later.end() ? HUGE_VAL : cut->time;
+  };
+  // Cut at 0.13 and 0.82 of the way of 12.9 at speed 1: the first by one, the other by the other first.
+  EXPECT_NEAR(change_of(both, {5, 6, 0}), change_of(one, {5, 6, 0}), 1e-9);
+  EXPECT_LT(change_of(both, {13, 11, 0}), 0.5 * change_of(one, {13, 11, 0}));
 }
 
 TEST(MirroredFaces, work_on_a_bar_and_in_a_solid) {
