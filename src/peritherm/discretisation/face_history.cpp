@@ -154,12 +154,14 @@ double FaceHistory::Passing::passed(double time, Side side) const {
 /// Appends what a bond and its images do between two times.
 void FaceHistory::record(const Site& site, int k, double from, double to) {
   std::set<double> times{from};
+  bool changes = false;
   for (const Passing& passing : site.passings) {
+    changes = changes || (passing.begin < to && passing.end > from);
     for (const double time : {passing.begin, passing.end}) {
       if (time > from && time < to) times.insert(time);
     }
   }
-  if (times.size() > 1 && to < HUGE_VAL) times.insert(to);
+  if (changes && to < HUGE_VAL) times.insert(to);
   std::vector<ShareKnot> knots;
   for (const double time : times) {
     if (time > from) append_knot(knots, {time, share(site, k, time, Side::before)});
