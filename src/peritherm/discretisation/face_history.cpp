@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "peritherm/discretisation/tip_spreader.hpp"
 #include "peritherm/geometry/vector.hpp"
@@ -37,11 +38,9 @@ Point folded_place(const Grid& grid, const Point& x) {
   return inside;
 }
 
-double nearest_distance(const std::vector<FacePiece>& pieces, std::size_t crack, const Point& x) {
+double nearest_distance(const std::vector<const FacePiece*>& pieces, const Point& x) {
   double nearest = HUGE_VAL;
-  for (const FacePiece& piece : pieces) {
-    if (piece.crack() == crack) nearest = std::min(nearest, piece.distance_to(x));
-  }
+  for (const FacePiece* piece : pieces) nearest = std::min(nearest, piece->distance_to(x));
   return nearest;
 }
 
@@ -70,6 +69,7 @@ FaceHistory::FaceHistory(const FaceModel& model, double end)
   pieces_ = make_face_pieces(body, shifts, longest_offset(stencil) + 2.0, {there, 0.0, false});
   if (pieces_.empty()) return;
   tracks_ = make_face_pieces(body, shifts, longest_offset(stencil) + 2.0, {there, 0.0, false, true});
+  std::erase_if(tracks_, [&](const FacePiece& track) { return !moves_[track.crack()]; });
   points_.emplace(body, stencil, pieces_, ratio);
   const std::vector<double> times = epochs();
   for (std::size_t n = 0; n < times.size(); ++n) follow(times[n], n + 1 < times.size() ? times[n + 1] : end);
@@ -108,27 +108,42 @@ void FaceHistory::follow(double from, double to) {
 
 FaceHistory::Site FaceHistory::site_of(std::size_t point) const {
   Site site{point, model_.body.grid.number(points_->points()[point].index), {}};
-  const double near = 2.0 * longest_offset(model_.stencil) + felt_beyond * model_.horizon_ratio;
+  const double longest = longest_offset(model_.stencil);
+  const double near = 2.0 * longest + felt_beyond * model_.horizon_ratio, reach = near + 2.0 * longest;
   const Point place = in_spacings(points_->points()[point].index);
-  std::set<std::size_t> cracks;
-  for (const FacePiece& piece : tracks_) {
-    if (moves_[piece.crack()] && !cracks.contains(piece.crack()) && piece.distance_to(place) < near)
-      cracks.insert(piece.crack());
+  std::map<std::size_t, std::vector<const FacePiece*>> found;
+  std::set<std::size_t> felt;
+  for (const FacePiece& track : tracks_) {
+    const double distance = track.distance_to(place);
+    if (distance < reach) found[track.crack()].push_back(&track);
+    if (distance < near) felt.insert(track.crack());
   }
-  for (const std::size_t crack : cracks) {
-    if (site.passings.size() < most_passings) site.passings.push_back({crack});
+  for (const std::size_t crack : felt) {
+    if (site.passings.size() == most_passings) break;
+    site.passings.push_back({crack, found[crack], parts_near(crack, place, reach)});
   }
   return site;
 }
 
+/// Parts of a crack within a reach [spacings] of a place, which may lie beyond mirrored faces.
+std::vector<int> FaceHistory::parts_near(std::size_t crack, const Point& place, double reach) const {
+  Point lower = folded_place(model_.body.grid, place), upper = lower;
+  for (int axis = 0; axis < model_.body.grid.dimension; ++axis) {
+    lower[axis] -= reach * model_.body.grid.spacing;
+    upper[axis] += reach * model_.body.grid.spacing;
+  }
+  return model_.body.cracks[crack].parts_in(lower, upper);
+}
+
 /// How far a crack has grown when it passes bond k of a point [m].
-double FaceHistory::length_to(std::size_t point, int k, std::size_t crack) const {
+double FaceHistory::length_to(std::size_t point, int k, const Passing& passing) const {
   const GridIndex& p = points_->points()[point].index;
   const GridIndex& offset = model_.stencil.entries[static_cast<std::size_t>(k)].offset;
   const Point a = in_spacings(p), b = added(a, in_spacings(offset));
-  const double from_a = nearest_distance(tracks_, crack, a), from_b = nearest_distance(tracks_, crack, b);
+  const double from_a = nearest_distance(passing.tracks, a), from_b = nearest_distance(passing.tracks, b);
   const double share = from_a + from_b > 0.0 ? from_a / (from_a + from_b) : 0.5;
-  return model_.body.cracks[crack].length_to(folded_place(model_.body.grid, between(a, b, share)));
+  const Point place = folded_place(model_.body.grid, between(a, b, share));
+  return model_.body.cracks[passing.crack].length_to(place, passing.parts);
 }
 
 /// At tips the ramps of the cut are one spacing wide; so is the time in which a growing one passes.
@@ -140,7 +155,7 @@ void FaceHistory::time_passings(Site& site, int k) const {
     if (crack.tip_speed() == 0.0) continue;
     const double shift = model_.shifts[passing.crack] * spacing;
     const double first = 0.5 * spacing, last = std::max(first, crack.full_length() - 0.5 * spacing);
-    const double grown = std::clamp(length_to(site.point, k, passing.crack) + shift, first, last);
+    const double grown = std::clamp(length_to(site.point, k, passing) + shift, first, last);
     passing.begin += (grown - 0.5 * spacing) / crack.tip_speed();
     passing.end = std::min(crack.end_time(), passing.end + (grown + 0.5 * spacing) / crack.tip_speed());
   }

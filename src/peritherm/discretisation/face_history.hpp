@@ -41,7 +41,9 @@ class FaceHistory {
   /// A crack that changes bonds near a point while it grows or appears, and when it passes one of them.
   struct Passing {
     std::size_t crack;
-    double begin = 0.0, end = 0.0;  ///< equal: all at once
+    std::vector<const FacePiece*> tracks;  ///< its pieces near the point
+    std::vector<int> parts;                ///< of the crack, near the point or the place that it is an image of
+    double begin = 0.0, end = 0.0;         ///< equal: all at once
     double passed(double time, Side side) const;
   };
   /// A point of the body and the cracks near it that are on their way.
@@ -58,7 +60,8 @@ class FaceHistory {
   const std::vector<double>* row(const Site& site, std::uint64_t passed, double time);
   void fit(const std::vector<bool>& there);
   void time_passings(Site& site, int k) const;
-  double length_to(std::size_t point, int k, std::size_t crack) const;
+  std::vector<int> parts_near(std::size_t crack, const Point& place, double reach) const;
+  double length_to(std::size_t point, int k, const Passing& passing) const;
   std::vector<double> epochs() const;
 
   FaceModel model_;
@@ -66,7 +69,7 @@ class FaceHistory {
   OffsetTable table_;
   BondClasses classes_;
   std::vector<FacePiece> pieces_;
-  std::vector<FacePiece> tracks_;     ///< the same, and what lies on top of others
+  std::vector<FacePiece> tracks_;     ///< of cracks that move, with those on top of others
   std::optional<FacePoints> points_;  ///< with all cracks that there will be
   std::vector<bool> moves_;           ///< per crack: it grows or appears
   double epoch_ = 0.0;                ///< begin of the time in which no faces close or open

@@ -249,6 +249,7 @@ Point FacePoints::unfolded_end(std::size_t n, int k) const {
 void FacePoints::share_cells(const Body& body) {
   struct Shared {
     std::size_t point;
+    const FacePiece& piece;
     double beyond;
     Takers takers;
   };
@@ -265,10 +266,10 @@ void FacePoints::share_cells(const Body& body) {
       if (takers.empty()) continue;
       points_[n].volume -= beyond;
       give(takers, beyond * grid_.volume_share(points_[n].index));
-      if (piece.jump(points_[n].conductivity) > 0.0) shared.push_back({n, beyond, std::move(takers)});
+      if (piece.jump(points_[n].conductivity) > 0.0) shared.push_back({n, piece, beyond, std::move(takers)});
     }
   }
-  for (const auto& [n, beyond, takers] : shared) balance_cells(body, n, beyond, takers);
+  for (const auto& [n, piece, beyond, takers] : shared) balance_cells(body, n, piece, beyond, takers);
 }
 
 /// The nearest face, and others that may cut the cell on the opposite side: an image, if the wall is near.
@@ -306,8 +307,8 @@ double FacePoints::mean_height(const Takers& takers, const FacePiece& piece) con
 
 /// Where heat passes between the faces, what is given across must not move the middle of all volume: rows for steps of
 /// temperature and for parabolas could not both be met. As much as it has moved is moved back on both sides.
-void FacePoints::balance_cells(const Body& body, std::size_t n, double beyond, const Takers& takers) {
-  const FacePiece& piece = pieces_[static_cast<std::size_t>(points_[n].frame)];
+void FacePoints::balance_cells(const Body& body, std::size_t n, const FacePiece& piece, double beyond,
+                               const Takers& takers) {
   const double height = std::abs(piece.height(points_[n].place));
   const double side = piece.height(points_[n].place) >= 0.0 ? 1.0 : -1.0;
   const Takers above = find_takers(body, n, piece, height + 1.0), below = find_takers(body, n, piece, -1.25);

@@ -66,7 +66,7 @@ class FacePoints {
   Takers find_takers(const Body& body, std::size_t point, const FacePiece& piece, double above) const;
   void give(const Takers& takers, double volume);
   double mean_height(const Takers& takers, const FacePiece& piece) const;
-  void balance_cells(const Body& body, std::size_t point, double beyond, const Takers& takers);
+  void balance_cells(const Body& body, std::size_t point, const FacePiece& piece, double beyond, const Takers& takers);
 
   const Stencil& stencil_;
   const std::vector<FacePiece>& pieces_;

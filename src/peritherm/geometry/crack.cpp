@@ -136,14 +136,15 @@ double CrackSurface::contact(double time) const {
   return share;
 }
 
-double CrackSurface::length_to(const Point& x) const {
+double CrackSurface::length_to(const Point& x, std::span<const int> parts) const {
   if (dimension_ == 1) return 0.0;
   if (dimension_ == 3) {
     const auto [along, across] = in_plane(x);
     return radius_ > 0.0 ? std::hypot(along, across) : across;
   }
   double nearest = HUGE_VAL, found = 0.0;
-  for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
+  for (const int part : parts) {
+    const auto k = static_cast<std::size_t>(part);
     const double distance = distance_from_edge(points_[k], points_[k + 1], x[0], x[1]);
     if (distance >= nearest) continue;
     nearest = distance;

@@ -212,6 +212,7 @@ class CrackSurface {
   /// As above, looking at some parts only: where all others are known to be out of reach.
   std::optional<CrackPassage> passage(const Point& a, const Point& b, std::span<const int> parts) const;
   void nudge(const Point& point, Point& shift, std::span<const int> parts) const;
+  double length_to(const Point& x, std::span<const int> parts) const;
 
   /// Lower and upper corner of a box around the crack.
   std::array<Point, 2> bounds() const;
@@ -227,7 +228,7 @@ class CrackSurface {
   double full_length() const;
   /// How far the crack has grown when it reaches the place on it that is nearest to x [m]; beyond its last point, how
   /// far it would have.
-  double length_to(const Point& x) const;
+  double length_to(const Point& x) const { return length_to(x, parts_); }
 
   /// 2-D: the ends of the part that exists at a time, wherever they lie; none of a polyline that has closed.
   std::vector<CrackTip> tips(double time) const;
