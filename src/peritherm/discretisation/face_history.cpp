@@ -17,12 +17,7 @@ constexpr double felt_beyond = 3.0;
 /// Cracks near one point that are told apart; more than that come and go with the times of others.
 constexpr std::size_t most_passings = 16;
 
-/// Along straight rows far from tips shares differ by what the fit's end leaves only. Rounded to 2e-10 they are the
-/// same, and points share lists of bonds.
-double rounded(double share) {
-  constexpr double steps = 4294967296.0;
-  return std::round(share * steps) / steps;
-}
+double rounded(double share) { return std::round(share * share_steps) / share_steps; }
 
 std::uint64_t bit(std::size_t n) { return std::uint64_t{1} << n; }
 

@@ -64,7 +64,8 @@ void BondCorrections::apply(ConstField temperature, double rate_weight, Field re
   {
 #pragma omp for schedule(static)
     for (std::int64_t b = 0; b < blocks; ++b) {
-      apply_block(static_cast<std::size_t>(b), temperature.data(), rate_weight, result.data());
+      apply_segments(static_cast<std::size_t>(b), temperature.data(), rate_weight, result.data());
+      apply_bundles(static_cast<std::size_t>(b), temperature.data(), rate_weight, result.data());
     }
     // A point may have bonds of both kinds: the loop above is complete before this one begins.
 #pragma omp for schedule(static)
@@ -74,8 +75,8 @@ void BondCorrections::apply(ConstField temperature, double rate_weight, Field re
   }
 }
 
-void BondCorrections::apply_block(std::size_t block, const double* temperature, double rate_weight,
-                                  double* result) const {
+void BondCorrections::apply_segments(std::size_t block, const double* temperature, double rate_weight,
+                                     double* result) const {
   double sums[longest_segment];
   const std::size_t end = parts_.begin[block + 1];
   for (std::size_t s = parts_.begin[block]; s < end;) {
@@ -94,6 +95,18 @@ void BondCorrections::apply_block(std::size_t block, const double* temperature, 
       for (int k = 0; k < segment.length; ++k) result[segment.entry + k] += weight * sums[k];
     }
     batch.flush();
+  }
+}
+
+void BondCorrections::apply_bundles(std::size_t block, const double* temperature, double rate_weight,
+                                    double* result) const {
+  double sums[CorrectionBundles::most_points];
+  for (std::size_t n = parts_.bundle_begin[block]; n < parts_.bundle_begin[block + 1]; ++n) {
+    const CorrectionBundles::Bundle& bundle = parts_.bundles.bundles()[n];
+    const double weight = rate_weight * parts_.scales[bundle.material];
+    kernels_.sum_bundle(parts_.bundles.bonds_of(bundle), temperature + bundle.entry, sums);
+    const double* const volumes = parts_.bundles.volumes_of(bundle);
+    for (int k = 0; k < bundle.length; ++k) result[bundle.entry + k] += weight * sums[k] / volumes[k];
   }
 }
 
@@ -143,6 +156,12 @@ void BondCorrections::for_raised(const std::function<void(std::size_t, double)>&
       visit(entry, parts_.rows.empty() ? shared : raised_at(entry, peaks));
     }
   }
+  for (const CorrectionBundles::Bundle& bundle : parts_.bundles.bundles()) {
+    for (int k = 0; k < bundle.length; ++k) {
+      const auto entry = static_cast<std::size_t>(bundle.entry + k);
+      visit(entry, raised_at(entry, peaks));
+    }
+  }
   for (const ChangingRow& row : parts_.rows) {
     if (parts_.scales[row.scale] != 0.0)
       visit(static_cast<std::size_t>(row.entry), raised_at(static_cast<std::size_t>(row.entry), peaks));
@@ -151,9 +170,7 @@ void BondCorrections::for_raised(const std::function<void(std::size_t, double)>&
 
 double BondCorrections::raised_at(std::size_t entry, const std::vector<double>& peaks) const {
   double raised = 0.0;
-  for (const BondList& bonds : lists_of(static_cast<std::int64_t>(entry), peaks)) {
-    for (int k = 0; k < bonds.count; ++k) raised += std::max(0.0, bonds[k].difference);
-  }
+  visit_with(peaks, entry, [&](std::int64_t, double difference) { raised += std::max(0.0, difference); });
   return raised;
 }
 
@@ -165,9 +182,10 @@ std::vector<std::size_t> BondCorrections::changing_points() const {
 
 std::size_t BondCorrections::bytes() const {
   return parts_.patterns.bytes() + parts_.segments.capacity() * sizeof(Segment) +
-         parts_.begin.capacity() * sizeof(std::size_t) + by_entry_.capacity() * sizeof(by_entry_[0]) +
-         parts_.rows.capacity() * sizeof(ChangingRow) + parts_.distances.capacity() * sizeof(std::int32_t) +
-         parts_.differences.capacity() * sizeof(double) + parts_.cuts.bytes() + parts_.cut_bonds.bytes();
+         (parts_.begin.capacity() + parts_.bundle_begin.capacity()) * sizeof(std::size_t) + parts_.bundles.bytes() +
+         by_entry_.capacity() * sizeof(by_entry_[0]) + parts_.rows.capacity() * sizeof(ChangingRow) +
+         parts_.distances.capacity() * sizeof(std::int32_t) + parts_.differences.capacity() * sizeof(double) +
+         parts_.cuts.bytes() + parts_.cut_bonds.bytes();
 }
 
 }  // namespace peritherm

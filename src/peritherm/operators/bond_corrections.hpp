@@ -12,6 +12,7 @@
 #include "peritherm/discretisation/padded_grid.hpp"
 #include "peritherm/discretisation/row_intervals.hpp"
 #include "peritherm/discretisation/stencil.hpp"
+#include "peritherm/operators/correction_bundles.hpp"
 #include "peritherm/operators/correction_patterns.hpp"
 
 namespace peritherm {
@@ -40,7 +41,9 @@ class BondCorrections {
     CorrectionPatterns patterns;
     std::vector<Segment> segments;   ///< block by block; in a block those of a pattern stand together
     std::vector<std::size_t> begin;  ///< blocks + 1, into segments; the blocks' points ascend
-    std::vector<ChangingRow> rows;   ///< ascending
+    CorrectionBundles bundles;
+    std::vector<std::size_t> bundle_begin;  ///< blocks + 1, into bundles
+    std::vector<ChangingRow> rows;          ///< ascending
     std::vector<std::int32_t> distances;
     std::vector<double> differences;  ///< at the time that was last asked for
     CutSchedule cuts;                 ///< how differences change in time
@@ -57,9 +60,7 @@ class BondCorrections {
   /// visited several times: the sum counts.
   template <class Visit>
   void visit(std::size_t entry, Visit&& visit) const {
-    for (const BondList& bonds : lists_of(static_cast<std::int64_t>(entry), parts_.differences)) {
-      for (int k = 0; k < bonds.count; ++k) visit(bonds[k].distance, bonds[k].difference);
-    }
+    visit_with(parts_.differences, entry, visit);
   }
 
   /// Changing differences take their means over [from, to]. True if any is another than before.
@@ -72,17 +73,26 @@ class BondCorrections {
   /// those that change in time as far as they ever do.
   void for_raised(const std::function<void(std::size_t, double)>& visit) const;
 
-  bool empty() const { return parts_.segments.empty() && parts_.rows.empty(); }
+  bool empty() const { return parts_.segments.empty() && parts_.bundles.bundles().empty() && parts_.rows.empty(); }
   const CutBonds& cut_bonds() const { return parts_.cut_bonds; }
   std::size_t bytes() const;
 
  private:
-  /// The bonds that stay, and those that change.
+  /// `differences`: of the bonds that change.
+  template <class Visit>
+  void visit_with(const std::vector<double>& differences, std::size_t entry, Visit&& visit) const {
+    for (const BondList& bonds : lists_of(static_cast<std::int64_t>(entry), differences)) {
+      for (int k = 0; k < bonds.count; ++k) visit(bonds[k].distance, bonds[k].difference);
+    }
+    parts_.bundles.visit(static_cast<std::int64_t>(entry), visit);
+  }
+  /// Bonds of segments, and those that change.
   std::array<BondList, 2> lists_of(std::int64_t entry, const std::vector<double>& differences) const;
   BondList list_of_row(std::size_t row, const std::vector<double>& differences) const;
   const Segment* find_segment(std::int64_t entry) const;
   double raised_at(std::size_t entry, const std::vector<double>& peaks) const;
-  void apply_block(std::size_t block, const double* temperature, double rate_weight, double* result) const;
+  void apply_segments(std::size_t block, const double* temperature, double rate_weight, double* result) const;
+  void apply_bundles(std::size_t block, const double* temperature, double rate_weight, double* result) const;
   void apply_row(std::size_t row, const double* temperature, double rate_weight, double* result) const;
   void order_by_entry();
 

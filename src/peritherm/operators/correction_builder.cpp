@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int longest_segment = BondCorrections::longest_segment;
 constexpr int points_per_block = 2048;
+constexpr int most_sharing = 3;              // points that share a list and are better off in bundles
 constexpr std::int64_t blocks_at_once = 64;  // so many blocks' bonds are held in full before equal ones are shared
 
 using Segment = BondCorrections::Segment;
@@ -21,10 +23,12 @@ struct BlockCorrections {
     std::size_t begin, end;  ///< into bonds
     std::uint64_t hash;
     bool enumerable;
+    double volume;  ///< of the point that it was first found at
   };
   std::vector<BondDifference> bonds;
   std::vector<Pattern> patterns;
   std::vector<Segment> segments;
+  CorrectionBundles bundles;
   std::vector<BondCorrections::ChangingRow> rows;
   std::vector<std::int32_t> distances;
   std::vector<double> differences;
@@ -41,6 +45,9 @@ struct CorrectionPlan {
     halves = halves && body.grid.placement == PointPlacement::boundary;
     // Resistors in series depend on where the bond passes the interface, all else on what stands at its ends.
     enumerable = body.regions.empty() || body.interface != InterfaceRule::length_weighted_harmonic;
+    std::vector<double> conductivities;
+    for (const Material& material : body.materials) conductivities.push_back(material.conductivity);
+    steps = std::make_shared<const BondSteps>(stencil, layout, conductivities);
   }
   const Body& body;
   const PaddedGrid& layout;
@@ -49,6 +56,7 @@ struct CorrectionPlan {
   bool partly_held = false;
   bool halves = false;  ///< points on open faces count with a part of their cell
   bool enumerable;
+  std::shared_ptr<const BondSteps> steps;
 };
 
 /// Tells in one look at a point which of its bonds to other points of the body may cross cracks.
@@ -124,7 +132,10 @@ class BlockBuilder {
     for (GridIndex p = first; p[0] < interval.end; ++p[0]) add_point(p);
   }
 
-  BlockCorrections take() { return std::move(block_); }
+  BlockCorrections take() {
+    bundle_segments();
+    return std::move(block_);
+  }
 
  private:
   void add_point(const GridIndex& p) {
@@ -146,7 +157,8 @@ class BlockBuilder {
     const auto mirrored = [&](const GridIndex& offset) {
       return !faces.bonds.empty() && faces.find(body.faces.number_of(offset)).has_value();
     };
-    const bool parted = !body.faces.empty() && body.faces.volume(point) != 1.0;
+    volume_ = body.faces.empty() ? 1.0 : body.faces.volume(point);
+    const bool parted = volume_ != 1.0;
     for (std::size_t k = 0; k < plan_.stencil.entries.size(); ++k) {
       const auto& [offset, conductance] = plan_.stencil.entries[k];
       const GridIndex q{p[0] + offset[0], p[1] + offset[1], p[2] + offset[2]};
@@ -234,8 +246,42 @@ class BlockBuilder {
     number_of_[hash] = number;
     const std::size_t begin = block_.bonds.size();
     block_.bonds.insert(block_.bonds.end(), row_.begin(), row_.end());
-    block_.patterns.push_back({begin, block_.bonds.size(), hash, row_enumerable_});
+    block_.patterns.push_back({begin, block_.bonds.size(), hash, row_enumerable_, volume_});
     return number;
+  }
+
+  /// Moves neighbouring points whose bonds few others share from the segments into bundles.
+  void bundle_segments() {
+    std::vector<int> points(block_.patterns.size(), 0);
+    for (const Segment& segment : block_.segments) points[segment.pattern] += segment.length;
+    const auto fits = [&](const Segment& segment) {
+      return points[segment.pattern] <= most_sharing && !block_.patterns[segment.pattern].enumerable &&
+             segment.scale < plan_.body.materials.size() &&
+             plan_.steps->can_count(segment.scale, corrections_of(segment.pattern));
+    };
+    block_.bundles = CorrectionBundles(plan_.steps);
+    std::vector<Segment> kept;
+    for (auto first = block_.segments.begin(); first != block_.segments.end();) {
+      auto last = first;
+      std::vector<PointCorrections> bundle;
+      for (; last != block_.segments.end() && fits(*last); ++last) {
+        const auto next = first->entry + static_cast<std::int64_t>(bundle.size());
+        const bool room = bundle.size() + last->length <= CorrectionBundles::most_points;
+        if (last->entry != next || last->scale != first->scale || !room) break;
+        bundle.insert(bundle.end(), last->length, corrections_of(last->pattern));
+      }
+      if (bundle.empty() || !block_.bundles.add(first->entry, first->scale, bundle)) {
+        last = std::max(last, first + 1);
+        kept.insert(kept.end(), first, last);
+      }
+      first = last;
+    }
+    block_.segments = std::move(kept);
+  }
+
+  PointCorrections corrections_of(std::uint32_t number) const {
+    const BlockCorrections::Pattern& pattern = block_.patterns[number];
+    return {{block_.bonds.data() + pattern.begin, pattern.end - pattern.begin}, pattern.volume};
   }
 
   const CorrectionPlan& plan_;
@@ -247,21 +293,27 @@ class BlockBuilder {
   BondPath path_;
   std::vector<BondDifference> row_;
   bool row_enumerable_ = true;
+  double volume_ = 1.0;
   bool begun_ = false;  ///< a cut bond of the point has been counted
 };
 
 void append_block(BlockCorrections block, BondCorrections::Parts& parts) {
-  std::vector<std::uint32_t> numbers;
-  for (const auto& pattern : block.patterns) {
+  constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> numbers(block.patterns.size(), unknown);
+  for (Segment& segment : block.segments) {
+    const auto& pattern = block.patterns[segment.pattern];
+    std::uint32_t& number = numbers[segment.pattern];
     const CorrectionPatterns::Bonds bonds(block.bonds.data() + pattern.begin, pattern.end - pattern.begin);
-    numbers.push_back(parts.patterns.add(bonds, pattern.hash, pattern.enumerable));
+    if (number == unknown) number = parts.patterns.add(bonds, pattern.hash, pattern.enumerable);
+    segment.pattern = number;
   }
-  for (Segment& segment : block.segments) segment.pattern = numbers[segment.pattern];
   std::sort(block.segments.begin(), block.segments.end(), [](const Segment& a, const Segment& b) {
     return std::pair(a.pattern, a.entry) < std::pair(b.pattern, b.entry);
   });
   parts.segments.insert(parts.segments.end(), block.segments.begin(), block.segments.end());
   parts.begin.push_back(parts.segments.size());
+  parts.bundles.append(block.bundles);
+  parts.bundle_begin.push_back(parts.bundles.bundles().size());
   const std::size_t before = parts.differences.size();
   for (BondCorrections::ChangingRow row : block.rows) {
     row.end += static_cast<std::int64_t>(before);
@@ -275,6 +327,7 @@ void append_block(BlockCorrections block, BondCorrections::Parts& parts) {
 
 void finish(BondCorrections::Parts& parts) {
   parts.patterns.finish();
+  parts.bundles.shrink_to_fit();
   parts.segments.shrink_to_fit();
   parts.rows.shrink_to_fit();
   parts.distances.shrink_to_fit();
@@ -292,6 +345,7 @@ BondCorrections make_corrections(const Body& body, const PaddedGrid& layout, con
   }
   parts.scales.push_back(0.0);
   parts.begin.push_back(0);
+  parts.bundle_begin.push_back(0);
   const CorrectionPlan plan(body, layout, stencil);
   const IntervalBlocks blocks = cut_into_blocks(find_special_points(body, stencil), longest_segment, points_per_block);
   const auto count = static_cast<std::int64_t>(blocks.size());

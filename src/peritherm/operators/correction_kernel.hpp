@@ -111,5 +111,35 @@ void sum_run(const BondList& bonds, const double* own, int length, double* sums)
   }
 }
 
+/// Types of so many values at once; GCC converts no vectors whose size a function's own template sets.
+template <int Lanes>
+struct Lane {
+  typedef double Values __attribute__((vector_size(Lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
+  typedef int Counts __attribute__((vector_size(Lanes * sizeof(int)), aligned(sizeof(int)), may_alias));
+};
+
+template <int Lanes>
+void sum_bundle(const BondBundle& bonds, const double* own, double* sums) {
+  using Values = typename Lane<Lanes>::Values;
+  using Counts = typename Lane<Lanes>::Counts;
+  constexpr int most_points = CorrectionKernels::most_points, vectors = most_points / Lanes;
+  Values centre[vectors], rest[vectors], sum[vectors];
+  for (int v = 0; v < vectors; ++v) {
+    centre[v] = *reinterpret_cast<const Values*>(own + v * Lanes);
+    rest[v] = *reinterpret_cast<const Values*>(bonds.rests + v * Lanes);
+    sum[v] = Values{};
+  }
+  const std::int32_t* counts = bonds.counts;
+  for (int k = 0; k < bonds.count; ++k, counts += most_points) {
+    const BondDifference& step = bonds.steps[bonds.codes[k]];
+    const double* const other = own + step.distance;
+    for (int v = 0; v < vectors; ++v) {
+      const Values count = __builtin_convertvector(*reinterpret_cast<const Counts*>(counts + v * Lanes), Values);
+      sum[v] += step.difference * (count + rest[v]) * (*reinterpret_cast<const Values*>(other + v * Lanes) - centre[v]);
+    }
+  }
+  for (int v = 0; v < vectors; ++v) *reinterpret_cast<Values*>(sums + v * Lanes) = sum[v];
+}
+
 }  // namespace
 }  // namespace peritherm

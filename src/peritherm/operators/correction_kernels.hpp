@@ -24,6 +24,15 @@ struct BondList {
   }
 };
 
+/// Corrected bonds of `most_points` neighbouring points along x: code by code, the numbers of steps for each of them.
+struct BondBundle {
+  int count = 0;
+  const std::uint16_t* codes = nullptr;
+  const BondDifference* steps = nullptr;  ///< distances, and what one step differs, by code
+  const std::int32_t* counts = nullptr;
+  const double* rests = nullptr;  ///< per point, to be added to each count
+};
+
 /// The loops over corrected bonds, compiled for several instruction sets.
 struct CorrectionKernels {
   /// sums[n] = Σ difference · (own[n][distance] − own[n][0]) over bonds that all the points share.
@@ -31,10 +40,14 @@ struct CorrectionKernels {
   /// The same for `length` neighbouring points along x, at least `lanes` of them.
   using SumRun = void (*)(const BondList& bonds, const double* own, int length, double* sums);
 
+  /// The same for all points of a bundle, each with its own differences; what stands behind the field is read, too.
+  using SumBundle = void (*)(const BondBundle& bonds, const double* own, double* sums);
+
   static constexpr int most_points = 8;
   int lanes;
   SumPoints sum_points;
   SumRun sum_run;
+  SumBundle sum_bundle;
 };
 
 /// None if this build or this processor lacks the instruction set.

@@ -101,7 +101,6 @@ TEST(BondCorrections, every_instruction_set_adds_the_bonds_that_are_visited) {
   }
 }
 
-/// Mirrored bonds are hardly ever alike, and differ between the cells of their ends.
 Problem with_cut_bonds(Problem problem) {
   problem.nonlocality.faces = Faces::cut;
   return problem;
@@ -113,6 +112,37 @@ TEST(BondCorrections, a_cut_bond_takes_at_most_eight_bytes) {
   for (const Problem& problem : {straight, plate_with_slanted_crack(), plate_with_curved_crack()}) {
     const Corrected body(with_cut_bonds(problem));
     EXPECT_LE(body.corrections.bytes(), 8 * body.bonds());
+  }
+}
+
+/// Those of a slanted crack are hardly ever alike; listed one by one they take twelve bytes.
+TEST(BondCorrections, a_mirrored_bond_takes_at_most_eight_bytes) {
+  const Corrected body(plate_with_slanted_crack());
+  EXPECT_GT(body.bonds(), 10'000U);
+  EXPECT_LE(body.corrections.bytes(), 8 * body.bonds());
+}
+
+TEST(BondCorrections, the_ends_of_a_mirrored_bond_exchange_the_same) {
+  const Corrected body(plate_with_slanted_crack());
+  const Body& what = body.geometry.body;
+  const auto conductance = [&](std::size_t point, const StencilEntry& entry) {
+    double sum = entry.conductance * what.materials[0].conductivity;
+    body.corrections.visit(body.layout.entry(what.grid.index(point)), [&](std::int64_t way, double difference) {
+      if (way == body.layout.distance(entry.offset)) sum += difference;
+    });
+    return sum * what.faces.volume(point);
+  };
+  for (const std::int64_t number : what.faces.points()) {
+    const auto point = static_cast<std::size_t>(number);
+    for (const auto& entry : body.geometry.stencil.entries) {
+      const GridIndex p = what.grid.index(point);
+      const GridIndex q{p[0] + entry.offset[0], p[1] + entry.offset[1], 0};
+      if (!what.grid.contains(q)) continue;
+      const double there = conductance(point, entry);
+      const double back =
+          conductance(what.grid.number(q), {{-entry.offset[0], -entry.offset[1], 0}, entry.conductance});
+      EXPECT_NEAR(there, back, rounding(4, entry.conductance * what.materials[0].conductivity));
+    }
   }
 }
 
