@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,6 +43,45 @@ TEST(GapExchange, between_slabs_is_that_of_resistances_in_series) {
         EXPECT_NEAR(values[n], exact, tolerance) << coefficient << ' ' << place;
       }
     }
+  }
+}
+
+/// A crack through the whole body, whose image in each wall goes on where it ends.
+Problem parted_body(int dimension, double place) {
+  Problem problem = unit_body(dimension, 10, 2.0);
+  problem.materials["body"].conductivity = 2.0;
+  Crack& crack = problem.cracks.emplace_back();
+  if (dimension == 2) crack.points = {{place, 0.0}, {place, 0.3}, {place, 1.0}};
+  if (dimension == 3) crack.points = {{place, 0, 0}, {place, 1, 0}, {place, 1, 1}, {place, 0, 1}};
+  set_face(problem, Face::x_min, held_at(0.0));
+  set_face(problem, Face::x_max, held_at(1.0));
+  return problem;
+}
+
+TEST(GapExchange, is_the_same_along_walls_as_within) {
+  for (const int dimension : {2, 3}) {
+    Problem problem = parted_body(dimension, 0.4);
+    problem.cracks[0].gap = GapConvection{3.0};
+    problem.time.integrator = SteadyState{};
+    March run(problem);
+    run.advance_to(1.0);
+    const std::vector<double> values = run.temperatures();
+    for (std::size_t n = 0; n < values.size(); ++n) {
+      // In 3-D fits stop at 1e-6 of what one step changes.
+      EXPECT_NEAR(values[n], slabs_in_series(0.4, 3.0, run.position(n)[0]), dimension == 3 ? 1e-6 : 1e-7);
+    }
+  }
+}
+
+TEST(PartlyConductingCrack, lets_through_the_same_along_walls_as_within) {
+  for (const int dimension : {2, 3}) {
+    Problem problem = parted_body(dimension, 0.5);
+    problem.cracks[0].transmission = 0.3;
+    problem.initial.temperature = Profile("x < 0.5 ? 0 : 1");
+    March run(problem);
+    const std::vector<double> rates = run.rates();
+    const double largest = *std::max_element(rates.begin(), rates.end());
+    for (std::size_t n = 0; n < rates.size(); ++n) EXPECT_NEAR(rates[n], rates[n % 10], 1e-6 * largest) << n;
   }
 }
 

@@ -50,12 +50,11 @@ double FacePiece::height(const Point& x) const { return dot(difference(x, corner
 
 Point FacePiece::mirrored(const Point& x) const { return added(x, scaled(normal_, -2.0 * height(x))); }
 
-double FacePiece::depth_in_polygon(double along, double across) const {
-  if (radius_ > 0.0) return radius_ - std::hypot(along, across);
-  const bool inside = plane_polygon_contains(plane_corners_, along, across, on_piece);
+/// Distance in the plane to an edge; infinite if there is none that counts.
+double FacePiece::distance_to_edges(double along, double across, bool fronts_only) const {
   double nearest = infinite;
   for (std::size_t k = 0; k < corners_.size(); ++k) {
-    if (inside && joined_[k]) continue;
+    if (fronts_only && joined_[k]) continue;
     const Point& first = corners_[k];
     const Point& second = corners_[(k + 1) % corners_.size()];
     const Point x = added(corners_[0], added(scaled(tangents_[0], along), scaled(tangents_[1], across)));
@@ -63,7 +62,13 @@ double FacePiece::depth_in_polygon(double along, double across) const {
     const double share = std::clamp(dot(arm, edge) / dot(edge, edge), 0.0, 1.0);
     nearest = std::min(nearest, length(difference(arm, scaled(edge, share))));
   }
-  return inside ? nearest : -nearest;
+  return nearest;
+}
+
+double FacePiece::depth_in_polygon(double along, double across) const {
+  if (radius_ > 0.0) return radius_ - std::hypot(along, across);
+  const bool inside = plane_polygon_contains(plane_corners_, along, across, on_piece);
+  return inside ? distance_to_edges(along, across, true) : -distance_to_edges(along, across, false);
 }
 
 double FacePiece::depth(const Point& x) const {
@@ -147,7 +152,9 @@ double FacePiece::distance_to_tip(const Point& x) const {
     return nearest;
   }
   const Point arm = difference(x, corners_[0]);
-  return std::hypot(height(x), depth_in_polygon(dot(arm, tangents_[0]), dot(arm, tangents_[1])));
+  const double along = dot(arm, tangents_[0]), across = dot(arm, tangents_[1]);
+  const double in_plane = radius_ > 0.0 ? radius_ - std::hypot(along, across) : distance_to_edges(along, across, true);
+  return std::hypot(height(x), in_plane);
 }
 
 FacePiece FacePiece::image(int axis, double wall) const {

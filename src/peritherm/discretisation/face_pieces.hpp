@@ -73,6 +73,7 @@ class FacePiece {
   /// Depth of a point of the plane inside the piece, counted from tips and fronts only; −∞ beyond joined ends.
   double depth(const Point& x) const;
   double depth_in_polygon(double along, double across) const;
+  double distance_to_edges(double along, double across, bool fronts_only) const;
   /// Share of 1 that is cut at a depth; at tips a ramp one spacing wide.
   double ramp(double depth) const;
   /// Share that is cut at a place of the plane.

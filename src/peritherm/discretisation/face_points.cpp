@@ -8,8 +8,9 @@
 namespace peritherm {
 namespace {
 
-constexpr double off_face = 1e-6;  ///< spacings; a point on a face is moved this far to its own side
-constexpr double on_face = 1e-9;   ///< spacings
+constexpr double off_face = 1e-6;       ///< spacings; a point on a face is moved this far to its own side
+constexpr double on_face = 1e-9;        ///< spacings
+constexpr double passage_place = 1e-6;  ///< of a bond's length
 constexpr int most_reflections = 6;
 constexpr double least_rise = 0.4;    ///< spacings between layers of cells
 constexpr double least_volume = 0.2;  ///< of a cell, left after balancing or a second cut
@@ -62,6 +63,15 @@ double conductivity_to(const Body& body, const FacePoint& point, const GridIndex
   if (other == no_material) return point.conductivity;
   const double there = body.materials[other].conductivity;
   return 2.0 * point.conductivity * there / (point.conductivity + there);
+}
+
+/// Where two pieces of a crack meet, or one and its image in a wall, a bond through both passes but one face.
+bool is_repeated(const std::vector<std::pair<std::size_t, FacePiece::Cut>>& passages, std::size_t crack,
+                 const FacePiece::Cut& cut) {
+  return std::any_of(passages.begin(), passages.end(), [&](const auto& passage) {
+    const auto& [other, before] = passage;
+    return other == crack && std::abs(before.place - cut.place) < passage_place && before.share >= cut.share;
+  });
 }
 
 }  // namespace
@@ -191,16 +201,21 @@ void FacePoints::look_along_bonds(const Body& body, std::size_t n, double horizo
   FacePoint& point = points_[n];
   const std::vector<int>& near = pieces_near_[n];
   const std::size_t count = stencil_.entries.size();
+  std::vector<std::pair<std::size_t, FacePiece::Cut>> passages;
   for (std::size_t k = 0; k < count; ++k) {
     const GridIndex q = sum_of(point.index, stencil_.entries[k].offset);
     const Point end = off_faces(in_spacings(q), near);
     const double conductivity = conductivity_to(body, point, q);
     double whole = 1.0;
     Way way = Way::free;
+    passages.clear();
     for (const int m : near) {
       const FacePiece& piece = pieces_[static_cast<std::size_t>(m)];
       if (!piece.meets(point.place, end, 2.0 * horizon_ratio)) continue;
-      const double share = piece.cut(point.place, end, conductivity).share;
+      const FacePiece::Cut found = piece.cut(point.place, end, conductivity);
+      const double share = found.share;
+      if (is_repeated(passages, piece.crack(), found)) continue;
+      passages.emplace_back(piece.crack(), found);
       const double jump = piece.jump(conductivity);
       // At tips, where less is cut than the gap would, such bonds are left alone.
       const double across = std::abs(dot(difference(end, point.place), piece.normal()));
