@@ -9,6 +9,7 @@
 #include "peritherm/output/interpolation.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/gap_stepping.hpp"
 
 namespace peritherm {
 
@@ -51,7 +52,7 @@ class March {
       : problem_((check(problem), std::move(problem))),
         assembly_(assemble(problem_)),
         state_(initial_state(problem_, assembly_)),
-        integrator_(make_integrator(problem_.time.integrator, *assembly_.system)) {}
+        integrator_(make_case_integrator(problem_.time.integrator, problem_, assembly_)) {}
 
   void advance_to(double time) {
     time_ = integrator_->advance(time_, time, state_, [](double, ConstField) { return true; });

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double relative_tolerance = 1e-9;  // of the spacing
 constexpr double nudge_over_tolerance = 1e3;
+constexpr double first_mean_temperature = 300.0;  // [K]; until the faces' own is known
 
 Point unit(const Point& a) { return scaled(a, 1.0 / length(a)); }
 
@@ -63,7 +64,8 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     for (const Point& point : points_) plane_corners_.push_back(in_plane(point));
   }
   adjusts_tips_ = !crack.tip_shift || std::holds_alternative<AutomaticTipShift>(*crack.tip_shift);
-  if (crack.gap) gap_coefficient_ = peritherm::gap_coefficient(*crack.gap);
+  if (crack.gap && follows_temperatures(*crack.gap)) radiating_ = std::get<GapRadiation>(*crack.gap);
+  if (crack.gap) gap_coefficient_ = peritherm::gap_coefficient(*crack.gap, first_mean_temperature);
   if (crack.contact) contact_changes_ = peritherm::contact_changes(*crack.contact);
   measure_segments();
   too_short_ = dimension > 1 && full_length() < spacing;
@@ -122,6 +124,10 @@ Point CrackSurface::normal_of(int part) const {
   if (dimension_ == 1) return {1.0, 0.0, 0.0};
   const auto& direction = directions_[static_cast<std::size_t>(part)];
   return {-direction[1], direction[0], 0.0};
+}
+
+void CrackSurface::set_mean_temperature(double mean) {
+  gap_coefficient_ = peritherm::gap_coefficient(*radiating_, mean);
 }
 
 double CrackSurface::transmission(double across, double conductivity) const {

@@ -75,25 +75,32 @@ struct GapConvection {
   bool operator==(const GapConvection&) const = default;
 };
 
-/// Heat passes between the faces by radiation, for small differences around a known absolute temperature.
+/// Heat passes between the faces by radiation.
 struct GapRadiation {
   std::vector<double> emissivities;
-  double temperature = 0.0;
+  std::optional<double> temperature;
+  double absolute_zero = 0.0;
   static constexpr std::string_view name = "radiation";
-  static constexpr std::string_view help =
-      "grey parallel faces: h = 4 sigma T^3 / (1/e1 + 1/e2 - 1), right to (difference / 2 T)^2";
+  static constexpr std::string_view help = "sigma (T1^4 - T2^4) / (1/e1 + 1/e2 - 1) between grey parallel faces";
   static constexpr auto options() {
     return std::tuple{
         required("emissivities", &GapRadiation::emissivities, "", zero_to_one, "of both faces"),
-        required("temperature", &GapRadiation::temperature, "K", positive, "absolute mean temperature of the faces")};
+        optional("temperature", &GapRadiation::temperature, "K", positive,
+                 "absolute mean temperature of the faces, for small differences around it: h = 4 sigma T^3 / (1/e1 + "
+                 "1/e2 - 1) throughout; left out: the faces' own temperatures at each place and time"),
+        optional("absolute_zero", &GapRadiation::absolute_zero, "K", any_number,
+                 "absolute zero on the scale of the case, -273.15 for degrees Celsius; where temperature is left out")};
   }
   bool operator==(const GapRadiation&) const = default;
 };
 
 using GapExchange = std::variant<GapConvection, GapRadiation>;
 
-/// h of an exchange across a gap [W/(m² K)].
-double gap_coefficient(const GapExchange& gap);
+/// h of an exchange across a gap [W/(m² K)]; where faces radiate by their own temperatures, for an absolute mean of
+/// these [K].
+double gap_coefficient(const GapExchange& gap, double mean_temperature);
+/// Whether h depends on the temperatures of the faces.
+bool follows_temperatures(const GapExchange& gap);
 
 struct ContactAtTimes {
   std::vector<double> times, shares;
@@ -245,6 +252,11 @@ class CrackSurface {
   double transmission() const { return transmission_; }
   /// h of the exchange across the gap [W/(m² K)].
   double gap_coefficient() const { return gap_coefficient_; }
+  /// Whether that depends on the temperatures of the faces; then it is set for an absolute mean of both [K].
+  bool radiates() const { return radiating_.has_value(); }
+  void set_mean_temperature(double mean);
+  /// Absolute zero on the scale of the case, where it radiates.
+  double absolute_zero() const { return radiating_->absolute_zero; }
   /// What the faces conduct because they touch, as a share of what there would be without a crack.
   double contact(double time) const;
   const std::vector<ContactChange>& contact_changes() const { return contact_changes_; }
@@ -278,6 +290,7 @@ class CrackSurface {
   double tolerance_;  ///< distance below which a point lies on the crack [m]
   double transmission_;
   double gap_coefficient_ = 0.0;
+  std::optional<GapRadiation> radiating_;  ///< by the faces' own temperatures
   std::vector<ContactChange> contact_changes_;
   double start_time_;
   double tip_speed_ = 0.0;  ///< 0: all at once

@@ -44,8 +44,11 @@ std::string fault_of(const GapConvection&) { return {}; }
 
 std::string fault_of(const GapRadiation& gap) {
   if (gap.emissivities.size() != 2) return "'gap.emissivities' needs one entry for each face. Give two";
-  if (gap.emissivities[0] > 0.0 && gap.emissivities[1] > 0.0) return {};
-  return "'gap.emissivities' must be positive. Leave out 'gap' if nothing is radiated";
+  if (gap.emissivities[0] == 0.0 || gap.emissivities[1] == 0.0)
+    return "'gap.emissivities' must be positive. Leave out 'gap' if nothing is radiated";
+  if (gap.temperature && gap.absolute_zero != 0.0)
+    return "'gap.absolute_zero' says nothing beside 'gap.temperature', which is absolute. Leave one out";
+  return {};
 }
 
 template <class Variant>
@@ -143,6 +146,9 @@ std::string find_fault(const Crack& crack, int dimension) {
   if (std::string fault = number_fault(crack, dimension); !fault.empty()) return fault;
   if (std::string fault = fault_of_any(crack.gap); !fault.empty()) return fault;
   if (std::string fault = fault_of_any(crack.contact); !fault.empty()) return fault;
+  if (crack.gap && follows_temperatures(*crack.gap) && (crack.tip_speed || crack.start_time > 0.0 || crack.contact))
+    return "'gap' radiates by the faces' own temperatures, and so far only where the crack stands and stays open. Give "
+           "gap.temperature, or leave out tip_speed, start_time and contact";
   return crack.disc ? disc_fault(*crack.disc, dimension) : points_fault(crack, dimension);
 }
 

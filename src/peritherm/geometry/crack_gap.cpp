@@ -7,12 +7,12 @@ namespace {
 
 constexpr double stefan_boltzmann = 5.670374419e-8;  // [W/(m² K⁴)]
 
-double coefficient_of(const GapConvection& gap) { return gap.coefficient; }
+double coefficient_of(const GapConvection& gap, double) { return gap.coefficient; }
 
-double coefficient_of(const GapRadiation& gap) {
+double coefficient_of(const GapRadiation& gap, double mean_temperature) {
   double resistance = -1.0;
   for (const double emissivity : gap.emissivities) resistance += 1.0 / emissivity;
-  return 4.0 * stefan_boltzmann * std::pow(gap.temperature, 3) / resistance;
+  return 4.0 * stefan_boltzmann * std::pow(gap.temperature.value_or(mean_temperature), 3) / resistance;
 }
 
 std::vector<ContactChange> changes_of(const ContactAtTimes& contact) {
@@ -37,8 +37,13 @@ std::vector<ContactChange> changes_of(const ContactByOpening& contact) {
 
 }  // namespace
 
-double gap_coefficient(const GapExchange& gap) {
-  return std::visit([](const auto& kind) { return coefficient_of(kind); }, gap);
+double gap_coefficient(const GapExchange& gap, double mean_temperature) {
+  return std::visit([&](const auto& kind) { return coefficient_of(kind, mean_temperature); }, gap);
+}
+
+bool follows_temperatures(const GapExchange& gap) {
+  const auto* const radiation = std::get_if<GapRadiation>(&gap);
+  return radiation != nullptr && !radiation->temperature;
 }
 
 std::vector<ContactChange> contact_changes(const FaceContact& contact) {

@@ -106,7 +106,7 @@ std::unique_ptr<ConductionOperator> make_bond_operator(Bonds bonds, std::vector<
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
                                                           const Stencil& stencil, const HeldPoints& held_by,
                                                           std::size_t kernel = 0,
-                                                          std::unique_ptr<StencilSum> uniform = nullptr);
+                                                          std::shared_ptr<const StencilSum> uniform = nullptr);
 
 /// How conduction is evaluated; the list.
 enum class BackendName { automatic, stencil, fourier, bond };

@@ -16,10 +16,10 @@ namespace {
 class GridOperator final : public ConductionOperator {
  public:
   GridOperator(const Body& body, const PaddedGrid& layout, const Stencil& stencil, const HeldPoints& held_by,
-               std::size_t kernel, std::unique_ptr<StencilSum> uniform)
+               std::size_t kernel, std::shared_ptr<const StencilSum> uniform)
       : layout_(layout),
         stencil_(stencil),
-        uniform_(uniform ? std::move(uniform) : make_direct_sum(layout, stencil, kernel)),
+        uniform_(uniform ? std::move(uniform) : std::shared_ptr(make_direct_sum(layout, stencil, kernel))),
         kernels_(available_kernels().at(kernel)),
         runs_(make_row_runs(body, held_by)),
         corrections_(make_corrections(body, layout, stencil, held_by, kernels_.name)) {
@@ -294,7 +294,7 @@ class GridOperator final : public ConductionOperator {
 
   PaddedGrid layout_;
   Stencil stencil_;
-  std::unique_ptr<StencilSum> uniform_;
+  std::shared_ptr<const StencilSum> uniform_;
   Kernels kernels_;
   RowRuns runs_;
   BondCorrections corrections_;
@@ -309,7 +309,8 @@ class GridOperator final : public ConductionOperator {
 
 std::unique_ptr<ConductionOperator> make_stencil_operator(const Body& body, const PaddedGrid& layout,
                                                           const Stencil& stencil, const HeldPoints& held_by,
-                                                          std::size_t kernel, std::unique_ptr<StencilSum> uniform) {
+                                                          std::size_t kernel,
+                                                          std::shared_ptr<const StencilSum> uniform) {
   return std::make_unique<GridOperator>(body, layout, stencil, held_by, kernel, std::move(uniform));
 }
 

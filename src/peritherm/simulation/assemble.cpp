@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <map>
 
 #include "peritherm/base/error.hpp"
@@ -16,6 +15,8 @@
 
 namespace peritherm {
 namespace {
+
+constexpr std::size_t kernel_number = 0;  ///< of the stencil's loops: the fastest of this machine
 
 /// In 2-D bonds through a tip stay whole. A tip on a face is moved out of the body, so that those along the face are
 /// cut.
@@ -214,12 +215,19 @@ std::unique_ptr<ConductionOperator> make_bond_backend(const Geometry& geometry, 
                             std::move(inverse_capacities), layout.size(), precision);
 }
 
-std::unique_ptr<ConductionOperator> make_grid_backend(const Geometry& geometry, const PaddedGrid& layout,
-                                                      BackendName backend, Precision precision) {
-  constexpr std::size_t kernel = 0;
-  auto uniform = backend == BackendName::fourier ? make_fourier_sum(layout, geometry.stencil, precision)
-                                                 : make_direct_sum(layout, geometry.stencil, kernel, precision);
-  return make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by, kernel, std::move(uniform));
+std::shared_ptr<const StencilSum> make_uniform_sum(const Geometry& geometry, const PaddedGrid& layout,
+                                                   BackendName backend, Precision precision) {
+  if (backend == BackendName::bond) return nullptr;
+  if (backend == BackendName::fourier) return make_fourier_sum(layout, geometry.stencil, precision);
+  return make_direct_sum(layout, geometry.stencil, kernel_number, precision);
+}
+
+/// `uniform`: none for the bond backend.
+std::unique_ptr<ConductionOperator> make_backend(const Geometry& geometry, const PaddedGrid& layout,
+                                                 Precision precision, std::shared_ptr<const StencilSum> uniform) {
+  if (!uniform) return make_bond_backend(geometry, layout, precision);
+  return make_stencil_operator(geometry.body, layout, geometry.stencil, geometry.held_by, kernel_number,
+                               std::move(uniform));
 }
 
 /// Every bond conducts at most as the best material does, and every point stores at least as the poorest.
@@ -349,42 +357,13 @@ Assembly assemble(const Problem& given) {
   const bool coarse = problem.numerics.precision == Precision::single && backend != BackendName::bond;
   parts.rate_rounding = coarse ? 0x1p-24 : 0x1p-53;
   parts.bound_is_sharp = parts.spectral_bound > 0.0 && geometry.body.regions.empty();
-  parts.conduction = backend == BackendName::bond
-                         ? make_bond_backend(geometry, layout, problem.numerics.precision)
-                         : make_grid_backend(geometry, layout, backend, problem.numerics.precision);
-  return {std::move(geometry), layout, backend, std::make_unique<HeatSystem>(std::move(parts))};
+  auto uniform = make_uniform_sum(geometry, layout, backend, problem.numerics.precision);
+  parts.conduction = make_backend(geometry, layout, problem.numerics.precision, uniform);
+  return {std::move(geometry), layout, backend, std::make_unique<HeatSystem>(std::move(parts)), std::move(uniform)};
 }
 
-FieldStorage initial_state(const Problem& problem, const Assembly& assembly) {
-  const Body& body = assembly.geometry.body;
-  const PaddedGrid& layout = assembly.layout;
-  FieldStorage state(assembly.system->size());
-  const std::int64_t rows = static_cast<std::int64_t>(body.grid.count(1)) * body.grid.count(2);
-  std::exception_ptr failure;
-#pragma omp parallel
-  {
-    CompiledProfile profile(problem.initial.temperature);
-    const bool uniform = !profile.depends_on_place();
-    const double common = uniform ? profile(Point{}, 0.0) : 0.0;
-#pragma omp for schedule(static)
-    for (std::int64_t row = 0; row < rows; ++row) {
-      GridIndex p{0, static_cast<int>(row % body.grid.count(1)), static_cast<int>(row / body.grid.count(1))};
-      double* const values = state.data() + layout.entry(p);
-      const MaterialIndex* const materials = body.material_of.data() + body.grid.number(p);
-      try {
-        for (; p[0] < body.grid.count(0); ++p[0]) {
-          if (materials[p[0]] == no_material) continue;
-          values[p[0]] = uniform ? common : profile(body.grid.position(p), 0.0);
-        }
-      } catch (...) {
-#pragma omp critical
-        failure = std::current_exception();
-      }
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
-  assembly.system->fill(0.0, state);
-  return state;
+std::unique_ptr<ConductionOperator> make_conduction(const Problem& problem, const Assembly& assembly) {
+  return make_backend(assembly.geometry, assembly.layout, problem.numerics.precision, assembly.uniform);
 }
 
 }  // namespace peritherm

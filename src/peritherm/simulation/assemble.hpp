@@ -12,6 +12,7 @@
 #include "peritherm/discretisation/held_points.hpp"
 #include "peritherm/discretisation/padded_grid.hpp"
 #include "peritherm/discretisation/stencil.hpp"
+#include "peritherm/operators/stencil_sum.hpp"
 #include "peritherm/simulation/problem.hpp"
 #include "peritherm/system/heat_system.hpp"
 
@@ -67,10 +68,14 @@ struct Assembly {
   PaddedGrid layout;
   BackendName backend;  ///< never automatic
   std::unique_ptr<HeatSystem> system;
+  std::shared_ptr<const StencilSum> uniform;  ///< of the system's conduction; none of the bond backend
 };
 
 /// Where the problem leaves the backend open, the cost model decides; see choose_backend for a choice by measurement.
 Assembly assemble(const Problem& problem);
+
+/// Conduction of an assembly whose body has been given other faces. The problem must be resolved.
+std::unique_ptr<ConductionOperator> make_conduction(const Problem& problem, const Assembly& assembly);
 
 /// State at time 0: initial temperatures, no heat passed.
 FieldStorage initial_state(const Problem& problem, const Assembly& assembly);

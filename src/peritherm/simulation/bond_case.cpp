@@ -3,6 +3,7 @@
 
 #include "peritherm/discretisation/damage.hpp"
 #include "peritherm/simulation/assemble.hpp"
+#include "peritherm/simulation/gap_stepping.hpp"
 #include "peritherm/simulation/not_finite.hpp"
 #include "peritherm/simulation/plan.hpp"
 #include "peritherm/simulation/running_case.hpp"
@@ -19,7 +20,7 @@ class BondCase final : public RunningCase {
       : prepared_(prepare(given)),
         assembly_(assemble(prepared_.problem)),
         chosen_(choose_stepping(problem().time.integrator, *assembly_.system, 0.0, march_times(problem()))),
-        integrator_(make_integrator(chosen_.stepping, *assembly_.system)),
+        integrator_(make_case_integrator(chosen_.stepping, problem(), assembly_)),
         state_(initial_state(problem(), assembly_)),
         current_(state_) {}
 

@@ -240,6 +240,30 @@ void check_one_sided(Checker& checker) {
               "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
 }
 
+/// Faces that radiate by their own temperatures are fitted anew as these change.
+void check_radiating_gap(Checker& checker, const std::string& key, const Crack& crack) {
+  const Problem& problem = checker.problem;
+  if (!crack.gap || !follows_temperatures(*crack.gap)) return;
+  const std::string hint = "Give its mean, gap.temperature";
+  const Faces usual = problem.nonlocality.faces.value_or(choices_of(problem.nonlocality.scheme).faces);
+  if (crack.faces.value_or(usual) == Faces::cut) {
+    checker.add(key + ".gap", "radiates by the faces' own temperatures, which needs mirroring faces",
+                hint + ", or choose faces = \"mirror\"");
+  } else if (CrackSurface(crack, checker.grid->dimension, checker.grid->spacing).is_too_short_to_mirror()) {
+    checker.add(key + ".gap", "radiates by the faces' own temperatures, but the crack is shorter than a spacing",
+                hint + ", or choose more cells");
+  }
+  for (std::size_t other = 0; other < problem.cracks.size(); ++other) {
+    if (!checker.sound(entry("crack", other))) continue;
+    const Crack& moving = problem.cracks[other];
+    if (&moving == &crack || !(moving.tip_speed || moving.start_time > 0.0 || moving.contact)) continue;
+    checker.add(key + ".gap",
+                "radiates by the faces' own temperatures, and " + entry("crack", other) +
+                    " grows, appears or closes; so far only one of both can be followed",
+                hint);
+  }
+}
+
 }  // namespace
 
 void check_cracks(Checker& checker) {
@@ -253,8 +277,10 @@ void check_cracks(Checker& checker) {
     for (const char* name : {"tip_speed", "gap", "contact"}) {
       if (fault.find(std::string("'") + name) != std::string::npos) guilty = key + "." + name;
     }
-    if (!checker.accept(guilty, fault) || !misses_body(cracks[i], *checker.grid)) continue;
-    checker.add(place, "the crack is outside the body", box_text(*checker.grid));
+    if (!checker.accept(guilty, fault)) continue;
+    if (misses_body(cracks[i], *checker.grid))
+      checker.add(place, "the crack is outside the body", box_text(*checker.grid));
+    check_radiating_gap(checker, key, cracks[i]);
   }
 }
 

@@ -163,10 +163,22 @@ void check_standing(Checker& checker) {
               growth_hint);
 }
 
+/// No set of equations is linear that follows the temperatures of faces.
+void check_linear(Checker& checker) {
+  const auto& cracks = checker.problem.cracks;
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    const std::string key = entry("crack", i);
+    if (!checker.sound(key) || !cracks[i].gap || !follows_temperatures(*cracks[i].gap)) continue;
+    checker.add(key + ".gap", "radiates by the faces' own temperatures, and a reduced model is linear in these",
+                "Give the mean of both, gap.temperature");
+  }
+}
+
 /// Can a model be made of the case?
 void check_reducible(Checker& checker, const ReductionMethod& method) {
   const Problem& problem = checker.problem;
   if (!std::holds_alternative<ProperOrthogonal>(method)) check_standing(checker);
+  check_linear(checker);
   if (std::holds_alternative<SteadyState>(problem.time.integrator) && checker.sound("time.integrator")) {
     checker.add("time.integrator", "a steady state has no course in time that a model could answer",
                 "Choose \"auto\", and time.end as long as the slowest change takes");

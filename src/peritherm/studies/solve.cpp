@@ -9,6 +9,7 @@
 #include "peritherm/output/interpolation.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
+#include "peritherm/simulation/gap_stepping.hpp"
 #include "peritherm/simulation/not_finite.hpp"
 #include "peritherm/simulation/running_case.hpp"
 #include "peritherm/simulation/two_field_plan.hpp"
@@ -128,7 +129,7 @@ Solution solve(const Prepared& prepared, std::span<const double> times, const st
   if (later.empty()) return solution;
   const ChosenStepping chosen = choose_stepping(problem.time.integrator, *assembly.system, 0.0, later);
   solution.integrator = std::visit([](const auto& options) { return std::string(options.name); }, chosen.stepping);
-  const auto integrator = make_integrator(chosen.stepping, *assembly.system);
+  const auto integrator = make_case_integrator(chosen.stepping, problem, assembly);
   const auto goes_on = [&stop_requested] { return !stop_requested || !stop_requested(); };
   const auto arrive = [&](double now, Field field) {
     record(now, field);

@@ -27,6 +27,21 @@ HeatSystem::HeatSystem(HeatSystemParts parts) : parts_(std::move(parts)), field_
     }
   }
   if (!parts_.sources.empty()) load_.assign(size(), 0.0);
+  measure_accounts();
+}
+
+void HeatSystem::replace_conduction(std::unique_ptr<ConductionOperator> conduction, double fastest_rate) {
+  parts_.conduction = std::move(conduction);
+  fastest_rate_ = fastest_rate;
+  for (Account& account : accounts_) {
+    account.conduction = {};
+    account.changing_points.clear();
+  }
+  measure_accounts();
+}
+
+/// Of each boundary the weights of the bonds to what it holds, as they are at the start.
+void HeatSystem::measure_accounts() {
   parts_.conduction->average_over(0.0, 0.0);
   const std::vector<std::size_t> changing = parts_.conduction->changing_points();
   holder_ = holders();

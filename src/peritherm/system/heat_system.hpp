@@ -93,6 +93,10 @@ class HeatSystem final : public ThermalSystem {
   void fill(double time, Field temperature);
 
   const ConductionOperator& conduction() const { return *parts_.conduction; }
+  /// Bonds of the same points that conduct otherwise. `fastest_rate`: a bound of the fastest decay rate [1/s]; 0: none
+  /// is known.
+  void replace_conduction(std::unique_ptr<ConductionOperator> conduction, double fastest_rate);
+  void set_fastest_rate(double bound) { fastest_rate_ = bound; }
   double stored_heat(ConstField state) const { return parts_.conduction->stored_heat(state); }
   /// Of the points that are not held [J/K].
   double heat_capacity() const { return parts_.conduction->heat_capacity(); }
@@ -136,6 +140,7 @@ class HeatSystem final : public ThermalSystem {
   void fit_piece(const LoadPiece& piece);
   void combine(const Load& load, Field temperature, double rate_weight, Terms terms, Field result,
                Accumulations accumulations);
+  void measure_accounts();
   std::vector<std::int16_t> holders() const;
   void measure(Account& account, const std::vector<std::size_t>& changing);
   void measure_changing(Account& account);

@@ -7,9 +7,9 @@ namespace {
 
 TEST(CrackGap, radiates_as_grey_parallel_faces_do) {
   // Black faces at 1000 K: 4 · 5.670374419e-8 · 1e9.
-  EXPECT_NEAR(gap_coefficient(GapRadiation{{1.0, 1.0}, 1000.0}), 226.81497676, 1e-8);
-  EXPECT_NEAR(gap_coefficient(GapRadiation{{0.5, 0.5}, 1000.0}), 226.81497676 / 3.0, 1e-8);
-  EXPECT_EQ(gap_coefficient(GapConvection{25.0}), 25.0);
+  EXPECT_NEAR(gap_coefficient(GapRadiation{{1.0, 1.0}, 1000.0, 0.0}, 300.0), 226.81497676, 1e-8);
+  EXPECT_NEAR(gap_coefficient(GapRadiation{{0.5, 0.5}, {}, 0.0}, 1000.0), 226.81497676 / 3.0, 1e-8);
+  EXPECT_EQ(gap_coefficient(GapConvection{25.0}, 300.0), 25.0);
 }
 
 TEST(CrackGap, resists_in_series_with_the_bond) {
@@ -54,10 +54,21 @@ TEST(CrackContact, follows_times_and_openings) {
 TEST(CrackContact, and_gap_mistakes_are_named) {
   Crack crack;
   crack.points = {{0.0, 0.0}, {1.0, 0.0}};
-  crack.gap = GapRadiation{{0.5}, 300.0};
+  crack.gap = GapRadiation{{0.5}, 300.0, 0.0};
   EXPECT_EQ(find_fault(crack, 2), "'gap.emissivities' needs one entry for each face. Give two");
-  crack.gap = GapRadiation{{0.5, 0.0}, 300.0};
+  crack.gap = GapRadiation{{0.5, 0.0}, 300.0, 0.0};
   EXPECT_EQ(find_fault(crack, 2), "'gap.emissivities' must be positive. Leave out 'gap' if nothing is radiated");
+  crack.gap = GapRadiation{{0.5, 0.5}, 300.0, -273.15};
+  EXPECT_EQ(find_fault(crack, 2),
+            "'gap.absolute_zero' says nothing beside 'gap.temperature', which is absolute. Leave one out");
+  crack.gap = GapRadiation{{0.5, 0.5}, {}, -273.15};
+  EXPECT_EQ(find_fault(crack, 2), "");
+  crack.start_time = 1.0;
+  EXPECT_EQ(
+      find_fault(crack, 2),
+      "'gap' radiates by the faces' own temperatures, and so far only where the crack stands and stays open. Give "
+      "gap.temperature, or leave out tip_speed, start_time and contact");
+  crack.start_time = 0.0;
   crack.gap.reset();
   crack.contact = ContactAtTimes{};
   EXPECT_EQ(find_fault(crack, 2), "'contact.times' is empty. Give at least one time");

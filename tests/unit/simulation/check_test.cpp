@@ -138,6 +138,30 @@ TEST(Check, cracks_are_surfaces_inside_the_body) {
   expect_fault({"[\"5 mm\", \"5.04 mm\"]", "[\"5 mm\"]", "crack.0.points", 37, "point 2"});
 }
 
+TEST(Check, faces_that_follow_their_temperatures_are_mirrored_ones_of_cracks_that_stand) {
+  Problem problem = read_case(valid_case, "").problem;
+  problem.cracks.front().gap = GapRadiation{{0.8, 0.6}, {}, -273.15};
+  problem.cracks.front().tip_speed.reset();
+  problem.cracks.front().start_time = 0.0;
+  problem.cracks.front().faces = Faces::mirror;
+  EXPECT_TRUE(find_faults(problem).empty());
+  const auto only_fault = [&](CaseUse use = CaseUse::run) {
+    const std::vector<Issue> issues = find_faults(problem, {}, use);
+    return issues.size() == 1 ? to_string(issues[0]) : std::to_string(issues.size()) + " faults";
+  };
+  problem.cracks.front().faces = Faces::cut;
+  EXPECT_NE(only_fault().find("crack.0.gap: radiates by the faces' own temperatures, which needs mirroring faces"),
+            std::string::npos);
+  problem.cracks.front().faces = Faces::mirror;
+  problem.cracks.push_back(problem.cracks.front());
+  problem.cracks.back().gap.reset();
+  problem.cracks.back().tip_speed = 1.0;
+  EXPECT_NE(only_fault().find("and crack.1 grows, appears or closes"), std::string::npos);
+  problem.cracks.pop_back();
+  problem.reduction.emplace();
+  EXPECT_NE(only_fault(CaseUse::reduce).find("a reduced model is linear in these"), std::string::npos);
+}
+
 TEST(Check, expressions_parse_and_are_finite) {
   expect_fault({"\"60*(x < 0.05)\"", "\"60*(x <\"", "initial.temperature", 24, "unexpected end at position 8"});
   expect_fault({"\"60*(x < 0.05)\"", "\"20*t\"", "initial.temperature", 24, "cannot depend on t. Use x, y and z only"});
