@@ -274,6 +274,8 @@ double in_si(std::string_view text, const Unit& unit) {
 
 Quantity parse_quantity(std::string_view text, std::string_view unit) {
   text = trimmed(text);
+  const bool absolute = unit == absolute_temperature;
+  if (absolute) unit = "K";
   const std::size_t end = end_of_number(text);
   if (end == 0) fail_number(text, unit);
   const double number = number_of(text.substr(0, end));
@@ -289,8 +291,12 @@ Quantity parse_quantity(std::string_view text, std::string_view unit) {
   }
   const double value = in_si(text.substr(0, end), written);
   if (!std::isfinite(value)) throw Error("must be finite", "Got " + std::string(text));
-  TemperatureScale scale = TemperatureScale::none;
-  if (unit == "K") scale = in_ascii(unit_text) == "degC" ? TemperatureScale::celsius : TemperatureScale::kelvin;
+  if (unit != "K") return {value, TemperatureScale::none};
+  const bool celsius = in_ascii(unit_text) == "degC";
+  if (absolute && celsius)
+    throw Error("is in °C, but must be an absolute temperature", "Add 273.15 and write it in K");
+  TemperatureScale scale = celsius ? TemperatureScale::celsius : TemperatureScale::kelvin;
+  if (absolute) scale = TemperatureScale::none;
   return {value, scale};
 }
 

@@ -8,6 +8,7 @@
 
 #include "peritherm/base/describe.hpp"
 #include "peritherm/base/field.hpp"
+#include "peritherm/base/units.hpp"
 
 namespace peritherm {
 
@@ -85,7 +86,7 @@ struct GapRadiation {
   static constexpr auto options() {
     return std::tuple{
         required("emissivities", &GapRadiation::emissivities, "", zero_to_one, "of both faces"),
-        optional("temperature", &GapRadiation::temperature, "K", positive,
+        optional("temperature", &GapRadiation::temperature, absolute_temperature, positive,
                  "absolute mean temperature of the faces, for small differences around it: h = 4 sigma T^3 / (1/e1 + "
                  "1/e2 - 1) throughout; left out: the faces' own temperatures at each place and time"),
         optional("absolute_zero", &GapRadiation::absolute_zero, "K", any_number,

@@ -62,6 +62,9 @@ TEST(Units, temperatures_are_not_converted_and_keep_their_scale) {
   EXPECT_EQ(parse_quantity("300 K", "K").value, 300.0);
   EXPECT_EQ(parse_quantity("300 K", "K").scale, TemperatureScale::kelvin);
   EXPECT_EQ(parse_quantity("300", "K").scale, TemperatureScale::none);
+  EXPECT_EQ(parse_quantity("900 K", absolute_temperature).value, 900.0);
+  EXPECT_EQ(parse_quantity("900 K", absolute_temperature).scale, TemperatureScale::none);
+  EXPECT_THROW(parse_quantity("900 °C", absolute_temperature), Error);
   EXPECT_EQ(parse_quantity("5 W/(m K)", "W/(m K)").scale, TemperatureScale::none);
 }
 
