@@ -293,8 +293,7 @@ Quantity parse_quantity(std::string_view text, std::string_view unit) {
   if (!std::isfinite(value)) throw Error("must be finite", "Got " + std::string(text));
   if (unit != "K") return {value, TemperatureScale::none};
   const bool celsius = in_ascii(unit_text) == "degC";
-  if (absolute && celsius)
-    throw Error("is in °C, but must be an absolute temperature", "Add 273.15 and write it in K");
+  if (absolute && celsius) throw Error("is in °C, but must be an absolute temperature", "Add 273.15 and write it in K");
   TemperatureScale scale = celsius ? TemperatureScale::celsius : TemperatureScale::kelvin;
   if (absolute) scale = TemperatureScale::none;
   return {value, scale};

@@ -11,6 +11,8 @@ namespace {
 /// Share with which bonds to points that have no row of their own may change: their far ends are not watched.
 constexpr double unwatched_weight = 0.05;
 constexpr double elastic_share = 1e-4;
+/// Heat across a gap is the same in every row that it crosses; second moments beside it give way first.
+constexpr double elastic_share_of_jumps = 1e-8;
 
 }  // namespace
 
@@ -167,7 +169,10 @@ void FaceSystem::scale_rows() {
     }
     // On a wall half of the bonds are images of the other half.
     for (int c = 0; c < moments_; ++c) scale[c] = std::sqrt(scale[c]) / rows_[r].wall_share;
-    elasticity_.insert(elasticity_.end(), static_cast<std::size_t>(moments_), elastic_share * rows_[r].wall_share);
+    for (int c = 0; c < moments_; ++c) {
+      elasticity_.push_back((is_jump(elasticity_.size()) ? elastic_share_of_jumps : elastic_share) *
+                            rows_[r].wall_share);
+    }
   }
   for (std::size_t n = 0; n < target_.size(); ++n) {
     if (scale_[n] < 1e-8) {

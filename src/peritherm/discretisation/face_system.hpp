@@ -39,6 +39,8 @@ class FaceSystem {
   std::size_t moments() const { return static_cast<std::size_t>(moments_); }
   /// Does heat pass between the faces?
   bool exchanges() const { return exchanges_; }
+  /// Is unknown n that of a jump across a gap?
+  bool is_jump(std::size_t n) const { return exchanges_ && (n + 1) % moments() == 0; }
   /// Number of row r's point in FacePoints.
   std::size_t point_of(std::size_t r) const { return rows_[r].point; }
 

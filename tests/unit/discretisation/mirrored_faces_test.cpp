@@ -7,6 +7,7 @@
 #include "peritherm/discretisation/face_fit.hpp"
 #include "peritherm/discretisation/tip_patch.hpp"
 #include "peritherm/geometry/vector.hpp"
+#include "support/run_problem.hpp"
 
 namespace peritherm {
 namespace {
@@ -242,6 +243,15 @@ TEST(MirroredFaces, work_on_a_bar_and_in_a_solid) {
   EXPECT_FALSE(solid.body.faces.empty());
   EXPECT_EQ(solid.body.faces.cut_points().size(), 0U);
   EXPECT_GE(solid.body.faces.lowest_share(), 0.0);
+}
+
+TEST(MirroredFaces, may_be_given_up_altogether) {
+  // Neighbours on both sides only, 0.26 and 0.74 spacings from a gap that conducts as much as a spacing.
+  Problem problem = unit_body(1, 20, 1.5);
+  Crack& crack = problem.cracks.emplace_back();
+  crack.points = {{0.513}};
+  crack.gap = GapConvection{20.0};
+  EXPECT_EQ(make_geometry(problem).body.faces.cut_points().size(), 2U);
 }
 
 }  // namespace
