@@ -240,13 +240,35 @@ void check_one_sided(Checker& checker) {
               "Choose \"auto\" or \"rkl2\", or impose all boundaries with \"mirror\"");
 }
 
+bool mirrors(const Problem& problem, const Crack& crack) {
+  const Faces usual = problem.nonlocality.faces.value_or(choices_of(problem.nonlocality.scheme).faces);
+  return crack.faces.value_or(usual) == Faces::mirror;
+}
+
+/// Tips of cracks whose bonds are only cut stay where they are.
+void check_tip_shifts(Checker& checker) {
+  const Problem& problem = checker.problem;
+  const auto refuse = [&](const std::string& key, const std::optional<TipShift>& shift) {
+    if (!shift || !std::holds_alternative<GivenTipShift>(*shift)) return;
+    checker.add(key, "pulls back the tips of cracks whose faces mirror, and here bonds are only cut",
+                "Leave it out, or choose faces = \"mirror\"");
+  };
+  bool any = problem.cracks.empty();
+  for (std::size_t i = 0; i < problem.cracks.size(); ++i) {
+    const bool mirrored = mirrors(problem, problem.cracks[i]);
+    any = any || mirrored;
+    if (!mirrored && checker.sound(entry("crack", i)))
+      refuse(entry("crack", i) + ".tip_shift", problem.cracks[i].tip_shift);
+  }
+  if (!any && checker.sound("nonlocality")) refuse("nonlocality.tip_shift", problem.nonlocality.tip_shift);
+}
+
 /// Faces that radiate by their own temperatures are fitted anew as these change.
 void check_radiating_gap(Checker& checker, const std::string& key, const Crack& crack) {
   const Problem& problem = checker.problem;
   if (!crack.gap || !follows_temperatures(*crack.gap)) return;
   const std::string hint = "Give its mean, gap.temperature";
-  const Faces usual = problem.nonlocality.faces.value_or(choices_of(problem.nonlocality.scheme).faces);
-  if (crack.faces.value_or(usual) == Faces::cut) {
+  if (!mirrors(problem, crack)) {
     checker.add(key + ".gap", "radiates by the faces' own temperatures, which needs mirroring faces",
                 hint + ", or choose faces = \"mirror\"");
   } else if (CrackSurface(crack, checker.grid->dimension, checker.grid->spacing).is_too_short_to_mirror()) {
@@ -282,6 +304,7 @@ void check_cracks(Checker& checker) {
       checker.add(place, "the crack is outside the body", box_text(*checker.grid));
     check_radiating_gap(checker, key, cracks[i]);
   }
+  check_tip_shifts(checker);
 }
 
 void check_outputs(Checker& checker) {

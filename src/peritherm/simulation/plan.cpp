@@ -249,8 +249,9 @@ void describe_faces(const Problem& problem, const Body& body, Plan& plan) {
   plan.warnings.push_back("beside cracks " + std::to_string(faces.cut_points().size()) +
                           (faces.cut_points().size() == 1 ? " point keeps" : " points keep") +
                           " bonds that are only cut, the first at " + at_place(place, body.grid.dimension) +
-                          ": other cracks, materials or open faces are too near for mirrored ones. Choose a "
-                          "smaller horizon with more cells, or faces = \"cut\"");
+                          ": other cracks, materials or open faces are too near for mirrored ones, or a gap lets "
+                          "pass more than the spacing resolves. Choose a smaller horizon with more cells, or faces = "
+                          "\"cut\"");
 }
 
 Plan make_plan(const Prepared& prepared, const Assembly& assembly, const ChosenStepping& chosen) {

@@ -69,7 +69,7 @@ Problem resolved(Problem problem) {
   fill(options.tip_shift, TipShift{});
   for (Crack& crack : problem.cracks) {
     fill(crack.faces, *options.faces);
-    fill(crack.tip_shift, *options.tip_shift);
+    fill(crack.tip_shift, crack.faces == Faces::cut ? TipShift{} : *options.tip_shift);
   }
   insulate_other_faces(problem, choices.insulated);
   for (BoundaryOptions& boundary : problem.boundaries) {

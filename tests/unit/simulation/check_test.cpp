@@ -162,6 +162,23 @@ TEST(Check, faces_that_follow_their_temperatures_are_mirrored_ones_of_cracks_tha
   EXPECT_NE(only_fault(CaseUse::reduce).find("a reduced model is linear in these"), std::string::npos);
 }
 
+TEST(Check, tips_are_pulled_back_where_faces_mirror) {
+  Problem problem = read_case(valid_case, "").problem;
+  problem.cracks.resize(1);
+  problem.nonlocality.tip_shift = GivenTipShift{0.1};
+  problem.nonlocality.faces = Faces::cut;
+  problem.cracks[0].tip_shift = GivenTipShift{0.2};
+  const std::vector<Issue> issues = find_faults(problem);
+  ASSERT_EQ(issues.size(), 2U);
+  EXPECT_EQ(issues[0].where.key, "crack.0.tip_shift");
+  EXPECT_EQ(issues[1].where.key, "nonlocality.tip_shift");
+  problem.cracks.push_back(problem.cracks[0]);
+  problem.cracks[0].faces = Faces::mirror;
+  problem.cracks[1].tip_shift.reset();
+  EXPECT_TRUE(find_faults(problem).empty());
+  EXPECT_TRUE(find_faults(resolved(problem)).empty());
+}
+
 TEST(Check, expressions_parse_and_are_finite) {
   expect_fault({"\"60*(x < 0.05)\"", "\"60*(x <\"", "initial.temperature", 24, "unexpected end at position 8"});
   expect_fault({"\"60*(x < 0.05)\"", "\"20*t\"", "initial.temperature", 24, "cannot depend on t. Use x, y and z only"});
