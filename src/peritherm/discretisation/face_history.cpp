@@ -90,9 +90,11 @@ void FaceHistory::follow(double from, double to) {
     Site site = site_of(n);
     const auto before = row(site, 0, from);
     const auto after = row(site, bit(site.passings.size()) - 1, from);
-    if (before == nullptr && after == nullptr) continue;
+    const auto earlier = first_.find(site.number);
+    if (before == nullptr && after == nullptr && earlier == first_.end()) continue;
     for (std::size_t k = 0; k < count; ++k) {
       const bool changes = (before != nullptr && (*before)[k] != 1.0) || (after != nullptr && (*after)[k] != 1.0) ||
+                           (earlier != first_.end() && earlier->second[k] != 1.0) ||
                            later_.contains(site.number * count + k);
       if (!changes || done_[n * count + k]) continue;
       time_passings(site, static_cast<int>(k));
@@ -194,7 +196,7 @@ void FaceHistory::keep(const GridIndex& index, int k, const std::vector<ShareKno
     if (from == 0.0) first = knots.front().share;
     if (from == 0.0 && knots.size() == 1) continue;
     std::vector<ShareKnot>& own = later_[member.first];
-    if (own.empty() && from > 0.0) own.push_back({from, first});
+    if (from > 0.0) append_knot(own, {from, own.empty() ? first : own.back().share});
     for (const ShareKnot& knot : knots) append_knot(own, knot);
   }
 }
