@@ -4,6 +4,7 @@
 
 #include "peritherm/discretisation/body.hpp"
 #include "peritherm/discretisation/face_pieces.hpp"
+#include "peritherm/geometry/polyline.hpp"
 #include "peritherm/geometry/vector.hpp"
 
 namespace peritherm {
@@ -62,6 +63,7 @@ void append_drafts(const Body& body, std::size_t crack, std::vector<PieceDraft>&
   }
   const bool closed = are_one(corners.front(), corners.back());
   corners.erase(std::unique(corners.begin(), corners.end(), are_one), corners.end());
+  corners = simplified(corners, straight_within);
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
     std::vector<Point> segment = clipped_to_box(body, {corners[k], corners[k + 1]}, false);
     if (segment.size() < 2 || are_one(segment[0], segment[1])) continue;
@@ -109,9 +111,9 @@ bool repeats(const PieceDraft& draft, const PieceDraft& other) {
 
 /// Where cracks lie on top of each other, the one that conducts least counts; of plane polygons if they are the same.
 std::vector<PieceDraft> without_repeats(const Body& body, std::span<const double> shifts,
-                                        const std::vector<double>& strengths, std::vector<PieceDraft> drafts) {
+                                        const std::vector<double>& blocked, std::vector<PieceDraft> drafts) {
   std::stable_sort(drafts.begin(), drafts.end(),
-                   [&](const PieceDraft& a, const PieceDraft& b) { return strengths[a.crack] > strengths[b.crack]; });
+                   [&](const PieceDraft& a, const PieceDraft& b) { return blocked[a.crack] > blocked[b.crack]; });
   std::vector<PieceDraft> kept;
   for (const PieceDraft& draft : drafts) {
     std::vector<PieceDraft> parts{draft};
@@ -224,11 +226,13 @@ std::vector<FacePiece> make_face_pieces(const Body& body, std::span<const double
   for (std::size_t crack = 0; crack < body.cracks.size(); ++crack) {
     if (choice.there.empty() || choice.there[crack]) append_drafts(body, crack, drafts);
   }
-  std::vector<double> strengths;
+  std::vector<double> strengths, blocked;
   for (const CrackSurface& crack : body.cracks) {
-    strengths.push_back((1.0 - (choice.touching ? crack.contact(choice.time) : 0.0)) * (1.0 - crack.transmission()));
+    const double apart = 1.0 - (choice.touching ? crack.contact(choice.time) : 0.0);
+    strengths.push_back(apart * (1.0 - crack.transmission()));
+    blocked.push_back(apart * (1.0 - crack.transmission(body.grid.spacing, body.materials.front().conductivity)));
   }
-  if (!choice.repeats) drafts = without_repeats(body, shifts, strengths, std::move(drafts));
+  if (!choice.repeats) drafts = without_repeats(body, shifts, blocked, std::move(drafts));
   const TipSearch search(body, drafts, shifts);
   std::vector<FacePiece> pieces;
   for (std::size_t n = 0; n < drafts.size(); ++n) {

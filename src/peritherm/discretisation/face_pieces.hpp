@@ -94,6 +94,10 @@ class FacePiece {
   Point lower_, upper_;                               ///< the box in which it acts
 };
 
+/// How far [spacings] corners of a crack may lie beside the segment that stands for them: fits lose accuracy where
+/// corners are nearer to each other than a spacing, and arcs of many short segments are then as good as of few.
+inline constexpr double straight_within = 0.02;
+
 /// Which cracks of a body are looked at, and how.
 struct CrackChoice {
   std::vector<bool> there{};  ///< per crack; empty: all

@@ -12,7 +12,9 @@
 #include "peritherm/base/error.hpp"
 #include "peritherm/discretisation/broken_bonds.hpp"
 #include "peritherm/discretisation/damage.hpp"
+#include "peritherm/discretisation/face_pieces.hpp"
 #include "peritherm/discretisation/padded_grid.hpp"
+#include "peritherm/geometry/polyline.hpp"
 #include "peritherm/simulation/assemble.hpp"
 #include "peritherm/simulation/check.hpp"
 #include "peritherm/simulation/memory.hpp"
@@ -232,9 +234,24 @@ std::string at_place(const Point& place, int dimension) {
   return text + ") m";
 }
 
+/// Has a crack corners nearer to each other than a spacing, and not on one straight line?
+bool winds_within_spacings(const CrackSurface& crack, const Grid& grid) {
+  if (grid.dimension != 2 || !crack.mirrors()) return false;
+  const std::vector<Point> corners = simplified(crack.corners(HUGE_VAL), straight_within * grid.spacing);
+  for (std::size_t k = 0; corners.size() > 2 && k + 1 < corners.size(); ++k) {
+    if (length(difference(corners[k + 1], corners[k])) < grid.spacing) return true;
+  }
+  return false;
+}
+
 /// Faces that could not be mirrored are never passed over.
 void describe_faces(const Problem& problem, const Body& body, Plan& plan) {
   for (std::size_t c = 0; c < problem.cracks.size(); ++c) {
+    if (winds_within_spacings(body.cracks[c], body.grid)) {
+      plan.warnings.push_back("crack." + std::to_string(c) +
+                              " has corners nearer to each other than a spacing: the grid cannot follow its way there, "
+                              "and mirrored bonds are less accurate. Choose more cells, or fewer corners");
+    }
     if (problem.cracks[c].faces != Faces::mirror || !body.cracks[c].is_too_short_to_mirror()) continue;
     plan.warnings.push_back(
         "crack." + std::to_string(c) +

@@ -38,7 +38,7 @@ class TipClearing {
     return true;
   }
 
-  TipSite look_around(const CrackTip& tip, std::size_t crack) {
+  TipSite look_around(const CrackTip& tip, std::size_t crack, double time) {
     TipSite site;
     site.crack = static_cast<int>(crack);
     site.end = tip.end;
@@ -50,7 +50,10 @@ class TipClearing {
     const MaterialIndex material = body_.material_at(tip.position);
     site.conductivity = body_.materials[material].conductivity;
     site.growth = tip.speed * volumetric_heat_capacity(body_.materials[material]) / site.conductivity;
-    if (body_.cracks[crack].transmission() > 0.0) site.fault = "the faces of the crack conduct";
+    const CrackSurface& surface = body_.cracks[crack];
+    if (surface.transmission() > 0.0) site.fault = "the faces of the crack conduct";
+    if (surface.gap_coefficient() > 0.0) site.fault = "the faces of the crack exchange heat";
+    if (surface.contact(time) > 0.0) site.fault = "the faces of the crack touch";
     site.clear_radius = widest_clearing * horizon_;
     restrict(site, distance_to_faces(tip.position), 0.0, "a face of the body");
     for (std::size_t other = 0; other < lines_.size(); ++other) {
@@ -144,7 +147,7 @@ std::vector<TipSite> tip_sites(const Geometry& geometry, double time) {
   std::vector<TipSite> sites;
   for (std::size_t crack = 0; crack < body.cracks.size(); ++crack) {
     for (const CrackTip& tip : body.cracks[crack].tips(time)) {
-      if (clearing.is_free(tip, crack)) sites.push_back(clearing.look_around(tip, crack));
+      if (clearing.is_free(tip, crack)) sites.push_back(clearing.look_around(tip, crack, time));
     }
   }
   return sites;
