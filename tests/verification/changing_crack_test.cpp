@@ -46,6 +46,16 @@ TEST(GapExchange, between_slabs_is_that_of_resistances_in_series) {
   }
 }
 
+TEST(GapExchange, through_gaps_that_hardly_conduct_is_as_exact) {
+  for (const double coefficient : {1e-2, 1e-4, 1e-6}) {
+    March run(gap_in_bar(20, 3.0, 0.45, coefficient));
+    run.advance_to(1.0);
+    // The fit stops at 1e-12 of what whole bonds conduct, of which the gap's have the share h Δx / k; 28 bits are kept.
+    const double left = run.temperatures().front(), exact = slabs_in_series(0.45, coefficient, 0.025);
+    EXPECT_NEAR(left / exact, 1.0, 1e-12 * 2.0 / (coefficient * 0.05) + 1e-8) << coefficient;
+  }
+}
+
 /// A crack through the whole body, whose image in each wall goes on where it ends.
 Problem parted_body(int dimension, double place) {
   Problem problem = unit_body(dimension, 10, 2.0);

@@ -178,5 +178,96 @@ TEST(RadiatingGap, needs_temperatures_above_absolute_zero) {
       Error);
 }
 
+TEST(RadiatingGap, carries_a_given_flux_from_any_start) {
+  for (const double length : {0.01, 0.2}) {
+    for (const double flux : {500.0, 10000.0}) {
+      Problem problem = unit_body(1, 20, 3.0);
+      problem.body.size = {length};
+      problem.materials["body"] = {15.0, 1.0, 1.0};
+      set_face(problem, Face::x_min, PrescribedFlux{flux});
+      set_face(problem, Face::x_max, held_at(cold_side));
+      Crack& crack = problem.cracks.emplace_back();
+      crack.points = {{0.5 * length}};
+      crack.gap = GapRadiation{{0.8, 0.6}, {}, 0.0};
+      problem.time.integrator = SteadyState{};
+      March run(problem);
+      run.advance_to(1.0);
+      const double rise = flux * 0.5 * length / 15.0, beyond = cold_side + rise;
+      const double before = std::pow(std::pow(beyond, 4) + flux / radiated, 0.25);
+      // The fit stops at 1e-9 of the share, which is 1e-7 of what a gap this weak lets through.
+      EXPECT_NEAR(run.temperatures().front(), before + 0.95 * rise, 1e-6 * before) << length << ' ' << flux;
+    }
+  }
+}
+
+TEST(RadiatingGap, lets_copper_blocks_cool_like_lumps) {
+  Problem problem = unit_body(1, 20, 3.0);
+  problem.materials["body"] = {1e7, 1.0, wall_capacity};
+  problem.initial.temperature = Profile("x < 0.5 ? 1000 : 300");
+  Crack& crack = problem.cracks.emplace_back();
+  crack.points = {{0.5}};
+  crack.gap = GapRadiation{{0.8, 0.6}, {}, 0.0};
+  problem.time.end = 0.5;
+  March run(problem);
+  run.advance_to(0.5);
+  double hot = hot_side, cold = cold_side;
+  const int steps = 10000;
+  const auto rate = [](double a, double b) {
+    return radiated * (std::pow(a, 4) - std::pow(b, 4)) / (0.5 * wall_capacity);
+  };
+  for (int k = 0; k < steps; ++k) {
+    const double step = 0.5 / steps, first = step * rate(hot, cold),
+                 half = step * rate(hot - 0.5 * first, cold + 0.5 * first);
+    hot -= half;
+    cold += half;
+  }
+  EXPECT_LT(hot, 0.9 * hot_side);
+  // Intervals leave 1e-5 of the temperature, three times as much of what passes.
+  EXPECT_NEAR(run.temperatures().front(), hot, 3e-5 * hot_side);
+}
+
+/// Points beside the gap are held at 300 until a time and at 1000 from then on.
+double behind_the_gap(const std::string& held, double time) {
+  Problem problem = unit_body(1, 20, 3.0);
+  problem.materials["body"] = {wall_conductivity, 1.0, wall_capacity};
+  problem.initial.temperature = Profile("300");
+  problem.boundaries.push_back({std::nullopt, Shape{Box{{0.0}, {0.45}}}, held_at(Profile(held))});
+  Crack& crack = problem.cracks.emplace_back();
+  crack.points = {{0.5}};
+  crack.gap = GapRadiation{{1.0, 1.0}, {}, 0.0};
+  problem.time.end = 1.0;
+  problem.time.integrator = RungeKuttaLegendre{1e-6};
+  March run(problem);
+  run.advance_to(time);
+  return run.at({0.6});
+}
+
+TEST(RadiatingGap, follows_held_temperatures_that_jump) {
+  const double at_once = behind_the_gap("1000", 0.5), late = behind_the_gap("t < 0.5 ? 300 : 1000", 1.0);
+  EXPECT_GT(at_once, 500.0);
+  // Half of a first step of time passes with 300 or 1000; steps are of 1e-6 of the temperature.
+  EXPECT_NEAR(late, at_once, 1e-4 * at_once);
+}
+
+TEST(RadiatingGap, is_steady_beside_a_part_that_nothing_holds) {
+  double values[2] = {};
+  for (const bool uneven : {false, true}) {
+    Problem problem = unit_body(2, 16, 3.0);
+    problem.materials["body"] = {wall_conductivity, 1.0, wall_capacity};
+    problem.initial.temperature = Profile(uneven ? "y < 0.25 ? 300 + 500*x : 800" : "300");
+    set_face(problem, Face::y_max, held_at(hot_side));
+    problem.boundaries.push_back({std::nullopt, Shape{Box{{0.0, 0.3}, {1.0, 0.4}}}, held_at(cold_side)});
+    problem.cracks.emplace_back().points = {{0.0, 0.25}, {1.0, 0.25}};
+    Crack& crack = problem.cracks.emplace_back();
+    crack.points = {{0.0, 0.6}, {1.0, 0.6}};
+    crack.gap = GapRadiation{{0.8, 0.6}, {}, 0.0};
+    problem.time.integrator = SteadyState{};
+    March run(problem);
+    run.advance_to(1.0);
+    values[uneven] = run.at({0.5, 0.5});
+  }
+  EXPECT_NEAR(values[0], values[1], 1e-6 * hot_side);
+}
+
 }  // namespace
 }  // namespace peritherm

@@ -15,9 +15,8 @@ constexpr int most_rounds = 4;
 constexpr int gap_rounds = 2;
 /// A row that misses its target by this share of the bulk's second moment is given up.
 constexpr double largest_miss = 0.01;
-/// The same beside gaps: heat passes between points instead of faces, so that a second moment is missed by about
-/// spacing × coefficient / conductivity.
-constexpr double largest_miss_at_gaps = 0.1;
+/// The most that gaps add to this.
+constexpr double largest_disturbance = 0.1;
 
 /// Conductance over what it was at first: 1 + t, bent into an exponential below one half, so that it stays positive.
 double conductance_ratio(double t) { return t >= -0.5 ? 1.0 + t : 0.5 * std::exp(2.0 * t + 1.0); }
@@ -203,12 +202,12 @@ class FaceFitter {
   /// Points whose moments are missed.
   std::vector<std::size_t> missed() const {
     const std::vector<double> residual = find_residual();
-    const double most = 2.0 * (system_.exchanges() ? largest_miss_at_gaps : largest_miss);
     std::vector<std::size_t> found;
     for (std::size_t n = 0; n < residual.size(); ++n) {
       const double miss = (residual[n] + system_.elasticity()[n] * (lambda_[n] - centre_[n])) * system_.scale(n);
-      const std::size_t point = system_.point_of(n / system_.moments());
-      if (!(std::abs(miss) < most) && (found.empty() || found.back() != point)) found.push_back(point);
+      const std::size_t row = n / system_.moments(), point = system_.point_of(row);
+      const double most = largest_miss + std::min(largest_disturbance, system_.disturbance(row));
+      if (!(std::abs(miss) < 2.0 * most) && (found.empty() || found.back() != point)) found.push_back(point);
     }
     return found;
   }

@@ -17,7 +17,12 @@ constexpr double felt_beyond = 3.0;
 /// Cracks near one point that are told apart; more than that come and go with the times of others.
 constexpr std::size_t most_passings = 16;
 
-double rounded(double share) { return std::round(share * share_steps) / share_steps; }
+double rounded(double share) {
+  int exponent = 0;
+  if (share > 0.0 && share < small_share) std::frexp(share, &exponent);
+  const double steps = std::ldexp(share_steps, -exponent);
+  return std::round(share * steps) / steps;
+}
 
 std::uint64_t bit(std::size_t n) { return std::uint64_t{1} << n; }
 

@@ -139,7 +139,8 @@ std::int32_t FaceSystem::class_of(std::size_t n, int k) {
   const bool watched = (end != nullptr && (end->has_row || end->near_tip)) || point.near_tip;
   base_.push_back(1.0 - point.cut_of(static_cast<std::size_t>(k)));
   // Heat that crosses a gap has a slope at the far ends, where a changed bond would move it.
-  const double unwatched = exchanges_ ? 0.0 : unwatched_weight;
+  const double jump = points_.pieces()[static_cast<std::size_t>(point.frame)].jump(point.conductivity);
+  const double unwatched = jump > 0.0 ? 0.0 : unwatched_weight;
   strength_.push_back((watched ? 1.0 : unwatched) * base_.back());
   times_.push_back(classes_.weight(point.index, k));
   return found->second;

@@ -41,6 +41,9 @@ class FaceSystem {
   bool exchanges() const { return exchanges_; }
   /// Is unknown n that of a jump across a gap?
   bool is_jump(std::size_t n) const { return exchanges_ && (n + 1) % moments() == 0; }
+  /// By how much of the bulk's second moment heat that passes between points on both sides of a gap, and not between
+  /// its faces, disturbs row r: spacing × coefficient / conductivity; 0 beside insulated faces.
+  double disturbance(std::size_t r) const { return rows_[r].frame.jump > 0.0 ? 1.0 / rows_[r].frame.jump : 0.0; }
   /// Number of row r's point in FacePoints.
   std::size_t point_of(std::size_t r) const { return rows_[r].point; }
 

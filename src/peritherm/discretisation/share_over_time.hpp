@@ -6,8 +6,10 @@
 namespace peritherm {
 
 /// Shares of fitted bonds are whole multiples of 1/share_steps. Along straight rows far from tips they differ by what
-/// the fit's end leaves only; so they are the same there, and a 32-bit number stands for each.
+/// the fit's end leaves only; so they are the same there, and a 32-bit number stands for each. Smaller ones than
+/// small_share, across gaps that hardly conduct, keep as many bits of their own.
 inline constexpr double share_steps = 268435456.0;
+inline constexpr double small_share = 1.0 / 64.0;
 
 /// What a bond conducts of what it would at a time [s]; linear from one knot to the next, constant before the first and
 /// after the last. Two knots at one time are a jump.

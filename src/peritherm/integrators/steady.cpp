@@ -45,6 +45,8 @@ class Steady final : public TimeIntegrator {
 
   double advance(double from, double to, Field temperature, const AfterStep& after_step) override {
     system_.begin_step(to, to);
+    parts_ = {};
+    next_part_ = first_part;
     start_ = system_.extremes(temperature);
     evaluate(to, temperature);
     ConjugateGradients search(system_, prepare(temperature));

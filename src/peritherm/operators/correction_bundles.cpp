@@ -13,6 +13,7 @@ namespace {
 /// Of a whole number of steps that arithmetic in double precision leaves.
 constexpr double count_rounding = 1e-5;
 constexpr double most_steps = 2147483647.0;
+constexpr std::size_t most_entries = 65536;  ///< of 16 bits
 
 }  // namespace
 
@@ -31,7 +32,8 @@ std::optional<BondSteps::Count> BondSteps::count(std::uint16_t material, const B
   if (found == codes_.end()) return std::nullopt;
   const double count = bond.difference * volume / of(material)[found->second].difference - rest(volume);
   const double whole = std::round(count);
-  if (std::abs(count - whole) > count_rounding || std::abs(whole) > most_steps) return std::nullopt;
+  // Bonds of no conductance have no steps, either.
+  if (!(std::abs(count - whole) <= count_rounding && std::abs(whole) <= most_steps)) return std::nullopt;
   return Count{found->second, static_cast<std::int32_t>(whole)};
 }
 
@@ -42,6 +44,7 @@ double BondSteps::rest(double volume) {
 
 /// A rest belongs to all bonds of the stencil.
 bool BondSteps::can_count(std::uint16_t material, const PointCorrections& point) const {
+  if (codes_.size() > most_entries) return false;
   if (rest(point.volume) != 0.0 && point.bonds.size() != codes_.size()) return false;
   return std::all_of(point.bonds.begin(), point.bonds.end(),
                      [&](const BondDifference& bond) { return count(material, bond, point.volume).has_value(); });

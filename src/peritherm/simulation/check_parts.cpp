@@ -275,9 +275,12 @@ void check_radiating_gap(Checker& checker, const std::string& key, const Crack& 
     checker.add(key + ".gap", "radiates by the faces' own temperatures, but the crack is shorter than a spacing",
                 hint + ", or choose more cells");
   }
+  const double zero = std::get<GapRadiation>(*crack.gap).absolute_zero;
   for (std::size_t other = 0; other < problem.cracks.size(); ++other) {
     if (!checker.sound(entry("crack", other))) continue;
     const Crack& moving = problem.cracks[other];
+    if (moving.gap && follows_temperatures(*moving.gap) && std::get<GapRadiation>(*moving.gap).absolute_zero < zero)
+      checker.add(key + ".gap", "has another absolute zero than " + entry("crack", other), "A case has one scale only");
     if (&moving == &crack || !(moving.tip_speed || moving.start_time > 0.0 || moving.contact)) continue;
     checker.add(key + ".gap",
                 "radiates by the faces' own temperatures, and " + entry("crack", other) +

@@ -15,7 +15,13 @@ namespace {
 constexpr double largest_difference = 1e-5;
 constexpr double first_share = 1e-3;  ///< of the time to the first output
 constexpr double most_growth = 3.0, least_growth = 0.2, caution = 0.8;
+/// Of what is left, when nothing else ends an interval: loads have jumped within it.
+constexpr double least_interval = 1e-9;
 constexpr double steady_difference = 1e-9;
+/// Of the way to the means that a round ends with. Where heat is prescribed, colder faces are overshot by up to three
+/// times their distance.
+constexpr double steady_share = 0.4;
+constexpr double first_mean_temperature = 300.0;  ///< least at which a steady state is sought first [K]
 constexpr int most_repetitions = 200;
 
 double largest_difference_of(const std::vector<double>& a, const std::vector<double>& b) {
@@ -36,6 +42,7 @@ class GapStepping final : public TimeIntegrator {
     while (time < to) {
       // The last two share what is left.
       const double left = to - time, length = left < 1.5 * interval_ ? left : std::min(interval_, 0.5 * left);
+      least_ = least_interval * (to - from);
       time = pass(time, left == length ? to : time + length, temperature, after_step);
       if (stopped_) break;
     }
@@ -73,8 +80,15 @@ class GapStepping final : public TimeIntegrator {
       difference = std::max(difference, missed * std::max(before.weights[n], after.weights[n]));
     }
     const double growth = caution * std::sqrt(largest_difference / std::max(difference, 1e-300));
-    interval_ = (to - from) * std::clamp(growth, least_growth, most_growth);
-    if (difference <= 2.0 * largest_difference) return to;
+    const double next = (to - from) * std::clamp(growth, least_growth, most_growth);
+    const bool jumps = to - from <= least_;
+    if (difference <= 2.0 * largest_difference || jumps) {
+      if (jumps) std::fill(slopes_.begin(), slopes_.end(), 0.0);
+      // The end of a march may have cut the interval short.
+      interval_ = to - from < interval_ ? std::max(interval_, next) : next;
+      return to;
+    }
+    interval_ = next;
     ++done_.rejected;
     std::copy(start_.begin(), start_.end(), temperature.begin());
     return from;
@@ -82,14 +96,14 @@ class GapStepping final : public TimeIntegrator {
 
   double settle(double from, double to, Field temperature, const AfterStep& after_step) {
     std::vector<double> now = look(from, temperature).means;
+    for (double& mean : now) mean = std::max(mean, std::log(first_mean_temperature));
     for (int round = 0; round < most_repetitions; ++round) {
       set(now);
       const double reached = inner_->advance(from, to, temperature, after_step);
       if (reached < to) return reached;
       const std::vector<double> next = look(to, temperature).means;
       if (largest_difference_of(now, next) <= steady_difference) return to;
-      // Half the way: what radiates more cools more.
-      for (std::size_t n = 0; n < now.size(); ++n) now[n] = 0.5 * (now[n] + next[n]);
+      for (std::size_t n = 0; n < now.size(); ++n) now[n] += steady_share * (next[n] - now[n]);
     }
     throw Error("time.integrator: no steady state was found in " + std::to_string(most_repetitions) +
                     " rounds of radiation between faces",
@@ -102,10 +116,17 @@ class GapStepping final : public TimeIntegrator {
   }
 
   void set(const std::vector<double>& means) {
-    if (!gaps_.apply(means) && inner_) return;
+    if (!gaps_.apply(means) && inner_ && !remembers()) return;
     // Methods take the fastest rate at their beginning.
     if (inner_) add(inner_->count(), done_);
     inner_ = make_integrator(stepping_, system_);
+  }
+
+  /// Does the method go on from what it knows of earlier rates?
+  bool remembers() const {
+    return std::holds_alternative<BackwardDifferences>(stepping_) ||
+           std::holds_alternative<ImplicitRungeKutta>(stepping_) ||
+           std::holds_alternative<GeneralisedSingleStep>(stepping_);
   }
 
   static void add(const StepCount& count, StepCount& sum) {
@@ -121,7 +142,7 @@ class GapStepping final : public TimeIntegrator {
   StepCount done_;
   std::vector<double> start_;   ///< state at the beginning of an interval
   std::vector<double> slopes_;  ///< of the faces' means in time, over the last interval
-  double interval_ = 0.0;
+  double interval_ = 0.0, least_ = 0.0;
   bool stopped_ = false;
 };
 

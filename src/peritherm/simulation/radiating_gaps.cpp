@@ -14,7 +14,7 @@ namespace {
 
 /// Of the logarithm of temperatures, between fits: what passes is right to 1e-7.
 constexpr double level_step = 0.12;
-constexpr double coldest = 1.0;  ///< [K]; nothing is radiated below
+constexpr double coldest = 1.0;  ///< [K]; colder faces radiate as at this
 /// By which the fastest decay rate may grow before it is measured again.
 constexpr double rate_margin = 0.1;
 
@@ -48,9 +48,6 @@ RadiatingGaps::RadiatingGaps(const Problem& problem, Assembly& assembly)
     if (!crack.gap || !follows_temperatures(*crack.gap)) continue;
     exchanged_ = std::max(exchanged_, gap_coefficient(*crack.gap, 1.0) / conductivity);
   }
-  shortest_side_ = body.grid.length(0);
-  for (int axis = 1; axis < body.grid.dimension; ++axis)
-    shortest_side_ = std::min(shortest_side_, body.grid.length(axis));
 }
 
 /// Of the logarithm of a mean temperature: what all shares are nearly linear in. A bond that crosses the gap alone
@@ -69,6 +66,9 @@ double RadiatingGaps::temperature(const GapPlace& place, const GapPlace::Weights
     sum += weight * value;
     lowest = std::min(lowest, value);
   }
+  if (!std::isfinite(sum))
+    throw Error("crack." + std::to_string(place.crack) + ".gap: the temperature of a face is not finite any more",
+                "Choose smaller steps", Fault::numerics);
   // Straight lines may lead below what there is.
   const double absolute = std::max(sum, std::min(lowest, 0.0));
   if (absolute >= 0.0) return absolute;
@@ -80,6 +80,8 @@ double RadiatingGaps::temperature(const GapPlace& place, const GapPlace::Weights
 
 FaceMeans RadiatingGaps::means(ConstField state) const {
   FaceMeans result{std::vector<double>(places_.size(), std::log(coldest)), std::vector<double>(places_.size(), 0.0)};
+  double sum = 0.0;
+  int known = 0;
   for (std::size_t n = 0; n < places_.size(); ++n) {
     const GapPlace& place = places_[n];
     if (place.above.empty() && place.below.empty()) continue;
@@ -87,8 +89,13 @@ FaceMeans RadiatingGaps::means(ConstField state) const {
     const double below = temperature(place, place.below.empty() ? place.above : place.below, state);
     const double mean = std::cbrt(0.25 * (above * above + below * below) * (above + below));
     result.means[n] = std::log(std::max(coldest, mean));
-    const double biot = exchanged_ * std::exp(3.0 * result.means[n]) * shortest_side_;
-    result.weights[n] = std::min(1.0, biot) * std::abs(above - below) / std::max({above, below, coldest});
+    result.weights[n] = std::abs(above - below) / std::max({above, below, coldest});
+    sum += result.means[n];
+    ++known;
+  }
+  // Where nothing is on either side nothing passes, and no fit should be made for it.
+  for (std::size_t n = 0; n < places_.size() && known > 0; ++n) {
+    if (places_[n].above.empty() && places_[n].below.empty()) result.means[n] = sum / known;
   }
   return result;
 }
@@ -147,7 +154,7 @@ MirroredFaces::PointBonds RadiatingGaps::blend(std::size_t near, std::span<const
     double share = 0.0;
     for (std::size_t k = 0; k < weights.size(); ++k)
       share += weights[k] * shares[static_cast<std::size_t>(begin - first) + k];
-    result.bonds.push_back({number, std::round(share * share_steps) / share_steps, {}});
+    result.bonds.push_back({number, share, {}});
   }
   return result;
 }

@@ -14,13 +14,12 @@ namespace peritherm {
 struct FaceMeans {
   /// Logarithms of the absolute mean temperature [K] of both faces, ((T1² + T2²)(T1 + T2) / 4)^(1/3).
   std::vector<double> means;
-  /// How much a relative error of the mean matters: |T1 - T2| over the larger of both, times the Biot number of the gap
-  /// and the shortest side of the body where this is below 1.
+  /// How much a relative error of the mean matters: |T1 - T2| over the larger of both.
   std::vector<double> weights;
 };
 
 /// Gives the bonds near cracks whose faces radiate by their own temperatures the conductances that these say. Faces are
-/// fitted for uniform mean temperatures, a few per cent apart and only those that occur; a bond takes its share of the
+/// fitted for uniform mean temperatures, 12 % apart and only those that occur; a bond takes its share of the
 /// stencil's conductance from the mean temperature at its place, by cubic interpolation between the fits.
 class RadiatingGaps {
  public:
@@ -51,7 +50,6 @@ class RadiatingGaps {
   std::vector<GapPlace> places_;       ///< per point
   std::map<int, MirroredFaces> fits_;  ///< by level
   double exchanged_ = 0.0;             ///< h over the conductivity, at 1 K, the largest [1/m]
-  double shortest_side_;               ///< of the body [m]
   MirroredFaces reference_;            ///< at which the fastest decay rate was measured
   double reference_rate_ = 0.0;        ///< 0: not yet
 };

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 
+#include "peritherm/base/text.hpp"
 #include "peritherm/simulation/checker.hpp"
 #include "peritherm/simulation/document.hpp"
+#include "peritherm/simulation/locations.hpp"
 #include "peritherm/simulation/reader.hpp"
 
 namespace peritherm {
@@ -14,6 +16,24 @@ void find_files(const std::string& case_file, Problem& problem) {
   if (!problem.damage || !problem.damage->table) return;
   std::string& table = *problem.damage->table;
   table = std::filesystem::absolute(std::filesystem::path(case_file).parent_path() / table).lexically_normal().string();
+}
+
+/// Faces that radiate by their own temperatures must know where absolute zero is.
+void check_absolute_zero(const Problem& problem, TemperatureScale scale, const Locations& locations,
+                         std::vector<Issue>& issues) {
+  const bool celsius = scale == TemperatureScale::celsius;
+  for (std::size_t i = 0; i < problem.cracks.size() && scale != TemperatureScale::none; ++i) {
+    const Crack& crack = problem.cracks[i];
+    const auto* radiation = crack.gap ? std::get_if<GapRadiation>(&*crack.gap) : nullptr;
+    if (radiation == nullptr || radiation->temperature) continue;
+    if (radiation->absolute_zero == (celsius ? -273.15 : 0.0)) continue;
+    issues.push_back({find_location(locations, "crack." + std::to_string(i) + ".gap"),
+                      celsius
+                          ? "radiates by the faces' own temperatures, which are in °C, but absolute zero is given as " +
+                                shortest(radiation->absolute_zero)
+                          : "temperatures are in K, but absolute zero is not 0",
+                      celsius ? "Add absolute_zero = -273.15" : "Leave absolute_zero out"});
+  }
 }
 
 }  // namespace
@@ -31,6 +51,7 @@ ReadCase read_case(std::string_view toml, const std::string& file, const std::ve
   issues.insert(issues.end(), reader.issues().begin(), reader.issues().end());
   std::vector<std::string> broken;
   for (const Issue& issue : reader.issues()) broken.push_back(issue.where.key);
+  if (issues.empty()) check_absolute_zero(result.problem, reader.scale(), result.locations, issues);
   const std::vector<Issue> faults = find_faults(result.problem, result.locations, broken, use);
   issues.insert(issues.end(), faults.begin(), faults.end());
   sort_by_place(issues);

@@ -27,6 +27,8 @@ class Reader {
   }
 
   const std::vector<Issue>& issues() const { return issues_; }
+  /// Of all temperatures that are written with a unit; none if there is no such.
+  TemperatureScale scale() const { return scale_; }
 
  private:
   /// What an option says about its values.

@@ -162,6 +162,25 @@ TEST(Check, faces_that_follow_their_temperatures_are_mirrored_ones_of_cracks_tha
   EXPECT_NE(only_fault(CaseUse::reduce).find("a reduced model is linear in these"), std::string::npos);
 }
 
+TEST(Check, faces_that_radiate_know_absolute_zero) {
+  const std::string_view radiating = R"(format = 1
+body = { size = [1], cells = [20], material = "m" }
+materials.m = { conductivity = 1, density = 1, specific_heat = 1 }
+nonlocality = { horizon_ratio = 3 }
+initial = { temperature = "20 °C" }
+crack = [{ points = [[0.5]], gap = { type = "radiation", emissivities = [0.8, 0.6] } }]
+time = { end = 1 }
+)";
+  EXPECT_NO_THROW(read_case(radiating, "", {"initial.temperature=\"300 K\""}));
+  EXPECT_NO_THROW(read_case(radiating, "", {"crack.0.gap.absolute_zero=-273.15"}));
+  try {
+    read_case(radiating, "");
+    FAIL() << "0 °C was taken as absolute zero";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("Add absolute_zero = -273.15"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Check, tips_are_pulled_back_where_faces_mirror) {
   Problem problem = read_case(valid_case, "").problem;
   problem.cracks.resize(1);
