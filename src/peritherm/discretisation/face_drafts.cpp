@@ -200,7 +200,7 @@ class TipSearch {
   Point lower_{}, upper_{};
 };
 
-/// Adds what mirrors show of the pieces, axis by axis; a piece in the wall itself has no image of its own.
+/// Adds what mirrors show of the pieces, axis by axis; a piece in the wall itself lies on its image.
 void append_images(const Body& body, const TipSearch& box, double reach, std::vector<FacePiece>& pieces) {
   for (int axis = 0; axis < body.grid.dimension; ++axis) {
     const std::size_t count = pieces.size();
@@ -212,6 +212,7 @@ void append_images(const Body& body, const TipSearch& box, double reach, std::ve
         const double gap = side == 0 ? bounds[0][axis] - wall : wall - bounds[1][axis];
         const double thickness = bounds[1][axis] - bounds[0][axis];
         const bool in_wall = thickness < 1e-6 && std::abs(gap) < 1e-6;
+        if (in_wall) pieces[n].double_gap();
         if (gap < reach && !in_wall) pieces.push_back(pieces[n].image(axis, wall));
       }
     }

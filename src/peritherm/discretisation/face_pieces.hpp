@@ -34,6 +34,8 @@ class FacePiece {
   /// By how many spacings of slope temperatures jump because the gap resists; 0 if nothing passes it, or if heat passes
   /// in other ways as well. `conductivity` around the crack.
   double jump(double conductivity) const;
+  /// Two such gaps, one behind the other.
+  void double_gap() { exchange_ *= 0.5; }
   /// Unit vectors along the piece: none in 1-D, one in 2-D, two in 3-D.
   const std::array<Point, 2>& tangents() const { return tangents_; }
 

@@ -206,8 +206,9 @@ void FacePoints::look_along_bonds(const Body& body, std::size_t n, double horizo
     const GridIndex q = sum_of(point.index, stencil_.entries[k].offset);
     const Point end = off_faces(in_spacings(q), near);
     const double conductivity = conductivity_to(body, point, q);
-    double whole = 1.0;
-    Way way = Way::free;
+    double whole = 1.0, resistance = 0.0;
+    bool exchanges = true;
+    Point jumps{};
     passages.clear();
     for (const int m : near) {
       const FacePiece& piece = pieces_[static_cast<std::size_t>(m)];
@@ -218,19 +219,25 @@ void FacePoints::look_along_bonds(const Body& body, std::size_t n, double horizo
       passages.emplace_back(piece.crack(), found);
       const double jump = piece.jump(conductivity);
       // At tips, where less is cut than the gap would, such bonds are left alone.
-      const double across = std::abs(dot(difference(end, point.place), piece.normal()));
-      const bool exchanges = jump > 0.0 && way == Way::free && share * (across + jump) > jump * (1.0 - 1e-9);
-      way = exchanges ? Way::exchanges : Way::parted;
+      const double across = dot(difference(end, point.place), piece.normal());
+      exchanges = exchanges && jump > 0.0 && share * (std::abs(across) + jump) > jump * (1.0 - 1e-9);
       whole *= 1.0 - share;
+      if (!exchanges) continue;
+      resistance += jump / std::abs(across);
+      jumps = added(jumps, scaled(piece.normal(), std::copysign(jump, across)));
     }
+    // Gaps resist one after the other.
+    if (exchanges) whole = 1.0 / (1.0 + resistance);
     if (whole < 1.0) {
       if (point.cut.empty()) point.cut.assign(count, 0.0);
       point.cut[k] = 1.0 - whole;
     }
-    if (way != Way::free) {
-      if (point.ways.empty()) point.ways.assign(count, Way::free);
-      point.ways[k] = way;
-    }
+    if (passages.empty()) continue;
+    if (point.ways.empty()) point.ways.assign(count, Way::free);
+    point.ways[k] = exchanges ? Way::exchanges : Way::parted;
+    if (!exchanges) continue;
+    if (point.jumps.empty()) point.jumps.assign(count, Point{});
+    point.jumps[k] = jumps;
   }
 }
 

@@ -16,7 +16,7 @@ namespace peritherm {
 enum class Way : std::uint8_t {
   free,      ///< nothing: the bond may be changed
   parted,    ///< a face, or the way ahead of a tip
-  exchanges  ///< one face, across which heat is exchanged: what is left of it may be changed
+  exchanges  ///< faces across which heat is exchanged: what is left of it may be changed
 };
 
 /// A point near mirroring faces, and what they make of its bonds.
@@ -31,10 +31,14 @@ struct FacePoint {
   double volume = 1.0;        ///< share of a cell that lies on its side, with the pieces of others that it takes on
   std::vector<double> cut;    ///< per entry of the stencil: share that is cut; empty if nothing is
   std::vector<Way> ways;      ///< per entry; empty if all are free
+  /// Per entry: by how many spacings of slope temperatures jump on the way, along the normals of the faces that
+  /// exchange heat; empty if there are none.
+  std::vector<Point> jumps;
 
   /// Do faces change its bonds or its cell?
   bool is_touched() const { return !cut.empty() || std::abs(volume - 1.0) > 1e-12; }
   Way way(std::size_t entry) const { return ways.empty() ? Way::free : ways[entry]; }
+  Point jump(std::size_t entry) const { return jumps.empty() ? Point{} : jumps[entry]; }
   double cut_of(std::size_t entry) const { return cut.empty() ? 0.0 : cut[entry]; }
 };
 

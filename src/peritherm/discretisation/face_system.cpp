@@ -16,7 +16,7 @@ constexpr double elastic_share_of_jumps = 1e-8;
 
 }  // namespace
 
-FaceMoments FaceFrame::operator()(const Point& step, Way way) const {
+FaceMoments FaceFrame::operator()(const Point& step, const Point& jumps) const {
   FaceMoments m{};
   const double across = dot(step, normal);
   std::size_t c = 0;
@@ -26,7 +26,8 @@ FaceMoments FaceFrame::operator()(const Point& step, Way way) const {
   if (dimension > 2) m[c++] = m[1] * m[1];
   if (dimension > 2) m[c++] = m[0] * m[1];
   m[c++] = across * (across + 2.0 * height);
-  if (jump > 0.0) m[c] = across + (way == Way::exchanges ? std::copysign(jump, -height) : 0.0);
+  if (jump > 0.0) m[c] = across + dot(jumps, normal);
+  for (int axis = 0; axis + 1 < dimension; ++axis) m[axis] += dot(jumps, tangents[axis]);
   return m;
 }
 
@@ -53,7 +54,7 @@ double FaceSystem::weight(std::size_t e) const {
 FaceMoments FaceSystem::moments_of(const Row& row, int entry) const {
   const GridIndex& offset = stencil_.entries[static_cast<std::size_t>(entry)].offset;
   return row.frame({static_cast<double>(offset[0]), static_cast<double>(offset[1]), static_cast<double>(offset[2])},
-                   points_.points()[row.point].way(static_cast<std::size_t>(entry)));
+                   points_.points()[row.point].jump(static_cast<std::size_t>(entry)));
 }
 
 void FaceSystem::scale_members() {
@@ -119,13 +120,24 @@ void FaceSystem::add_row(const Body& body, std::size_t n) {
     const double cut = point.cut_of(k);
     if (cut > 0.0) {
       const Point end = points_.unfolded_end(n, static_cast<int>(k));
-      aim(weights_[k] * cut, row.frame(difference(end, point.place), Way::free), row.frame.count());
+      FaceMoments lost = row.frame(difference(end, point.place), Point{});
+      if (point.way(k) == Way::exchanges) replace_slopes(row, static_cast<int>(k), cut, lost);
+      aim(weights_[k] * cut, lost, point.way(k) == Way::exchanges ? moments_ : row.frame.count());
     }
     if (point.way(k) == Way::parted) continue;
     bonds_.push_back({class_of(n, static_cast<int>(k)), static_cast<std::int32_t>(k)});
   }
   rows_.push_back(row);
   target_.insert(target_.end(), target.begin(), target.begin() + moments_);
+}
+
+/// Through gaps that resist one after the other a bond does not pass what belongs to the slope and jumps of each.
+void FaceSystem::replace_slopes(const Row& row, int entry, double cut, FaceMoments& lost) const {
+  const GridIndex& offset = stencil_.entries[static_cast<std::size_t>(entry)].offset;
+  const FaceMoments jumping = moments_of(row, entry), whole = row.frame(in_spacings(offset), Point{});
+  const auto replace = [&](int c) { lost[c] = (whole[c] - (1.0 - cut) * jumping[c]) / cut; };
+  for (int axis = 0; axis + 1 < row.frame.dimension; ++axis) replace(axis);
+  if (row.frame.jump > 0.0) replace(row.frame.count());
 }
 
 /// Number of a bond's class; a new one is given its weight.

@@ -26,8 +26,8 @@ struct FaceFrame {
   int count() const { return dimension == 3 ? 6 : dimension == 2 ? 3 : 1; }
   /// Does the bulk conduct this moment, as it does s² and d²?
   bool is_square(int c) const { return c < count() && (dimension == 3 ? c >= 2 && c != 4 : c >= count() - dimension); }
-  /// Moments of a step; `way` as for the bond.
-  FaceMoments operator()(const Point& step, Way way) const;
+  /// Moments of a step; `jumps` as for the bond.
+  FaceMoments operator()(const Point& step, const Point& jumps) const;
 };
 
 /// The linear equations of the fit: moments of the bonds of each point with a row, over classes of bonds, scaled.
@@ -42,8 +42,8 @@ class FaceSystem {
   /// Is unknown n that of a jump across a gap?
   bool is_jump(std::size_t n) const { return exchanges_ && (n + 1) % moments() == 0; }
   /// By how much of the bulk's second moment heat that passes between points on both sides of a gap, and not between
-  /// its faces, disturbs row r: spacing × coefficient / conductivity; 0 beside insulated faces.
-  double disturbance(std::size_t r) const { return rows_[r].frame.jump > 0.0 ? 1.0 / rows_[r].frame.jump : 0.0; }
+  /// its faces, disturbs row r: about twice spacing × coefficient / conductivity; 0 beside insulated faces.
+  double disturbance(std::size_t r) const { return rows_[r].frame.jump > 0.0 ? 2.0 / rows_[r].frame.jump : 0.0; }
   /// Number of row r's point in FacePoints.
   std::size_t point_of(std::size_t r) const { return rows_[r].point; }
 
@@ -99,6 +99,7 @@ class FaceSystem {
   void scale_rows();
   void scale_members();
   std::size_t row_end(std::size_t r) const { return r + 1 < rows_.size() ? rows_[r + 1].begin : bonds_.size(); }
+  void replace_slopes(const Row& row, int entry, double cut, FaceMoments& lost) const;
   FaceMoments moments_of(const Row& row, int entry) const;
 
   const Stencil& stencil_;
