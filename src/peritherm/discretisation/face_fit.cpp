@@ -1,9 +1,11 @@
 #include "peritherm/discretisation/face_fit.hpp"
 
+#include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "peritherm/discretisation/face_system.hpp"
 
@@ -13,6 +15,8 @@ namespace {
 constexpr int most_iterations = 60;
 constexpr int most_rounds = 4;
 constexpr int gap_rounds = 2;
+constexpr double slight_residual = 1e-6;
+constexpr int most_moments = std::tuple_size_v<FaceMoments>;
 /// A row that misses its target by this share of the bulk's second moment is given up.
 constexpr double largest_miss = 0.01;
 /// The most that gaps add to this.
@@ -124,7 +128,7 @@ class FaceGradients {
   explicit FaceGradients(const FaceSystem& system) : system_(system) {}
 
   void solve(const std::vector<double>& slopes, const std::vector<double>& right, std::vector<double>& solution) {
-    find_diagonal(slopes);
+    find_blocks(slopes);
     std::vector<double> residual = right, preconditioned(right.size()), direction, image;
     solution.assign(right.size(), 0.0);
     double square = precondition(residual, preconditioned);
@@ -147,23 +151,37 @@ class FaceGradients {
  private:
   static constexpr int most_gradients = 200;
 
-  void find_diagonal(const std::vector<double>& slopes) {
-    diagonal_ = system_.elasticity();
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_moments, most_moments>;
+  using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_moments, 1>;
+
+  /// Moments of one point are far from independent; points hardly depend on each other.
+  void find_blocks(const std::vector<double>& slopes) {
+    const auto size = static_cast<Eigen::Index>(system_.moments());
+    const std::size_t rows = system_.elasticity().size() / system_.moments();
+    std::vector<Block> sums(rows, Block::Zero(size, size));
+    for (std::size_t n = 0; n < system_.elasticity().size(); ++n) {
+      const auto c = static_cast<Eigen::Index>(n % system_.moments());
+      sums[n / system_.moments()](c, c) = system_.elasticity()[n];
+    }
     for (std::size_t e = 0; e < system_.class_count(); ++e) {
       for (const FaceSystem::Member& member : system_.members(e)) {
-        const FaceMoments m = system_.scaled_moments(member);
-        for (std::size_t c = 0; c < system_.moments(); ++c) {
-          diagonal_[member.row * system_.moments() + c] += slopes[e] / system_.times(e) * m[c] * m[c];
-        }
+        const Eigen::Map<const BlockVector> m(system_.scaled_moments(member).data(), size);
+        sums[member.row].noalias() += slopes[e] / system_.times(e) * m * m.transpose();
       }
     }
+    blocks_.resize(rows);
+    for (std::size_t row = 0; row < rows; ++row) blocks_[row].compute(sums[row]);
   }
 
   double precondition(const std::vector<double>& residual, std::vector<double>& result) const {
+    const auto size = static_cast<Eigen::Index>(system_.moments());
     double product = 0.0;
-    for (std::size_t k = 0; k < residual.size(); ++k) {
-      result[k] = residual[k] / diagonal_[k];
-      product += residual[k] * result[k];
+    for (std::size_t row = 0; row < blocks_.size(); ++row) {
+      const std::size_t first = row * system_.moments();
+      const Eigen::Map<const BlockVector> right(residual.data() + first, size);
+      Eigen::Map<BlockVector> solution(result.data() + first, size);
+      solution = blocks_[row].solve(right);
+      product += solution.dot(right);
     }
     return product;
   }
@@ -176,7 +194,8 @@ class FaceGradients {
   }
 
   const FaceSystem& system_;
-  std::vector<double> diagonal_, tensions_;
+  std::vector<Eigen::LDLT<Block>> blocks_;
+  std::vector<double> tensions_;
 };
 
 /// Least change of the conductances that meets the rows: Newton's method on the dual, which is convex, one unknown λ
@@ -225,11 +244,15 @@ class FaceFitter {
  private:
   void approach() {
     const double enough = 1e-12 * largest_of(system_.target());
-    double dual = dual_at(lambda_);
+    double dual = dual_at(lambda_), before = HUGE_VAL;
     std::vector<double> step, trial(lambda_.size());
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       const std::vector<double> residual = find_residual();
-      if (!(largest_of(residual) > enough)) return;
+      const double left = largest_of(residual);
+      // Conjugate gradients find no more digits than that.
+      const bool stalls = in_space() && left < slight_residual * largest_of(system_.target()) && left > 0.5 * before;
+      if (!(left > enough) || stalls) return;
+      before = left;
       find_step(residual, step);
       double slope = 0.0;
       for (std::size_t n = 0; n < step.size(); ++n) slope += residual[n] * step[n];
