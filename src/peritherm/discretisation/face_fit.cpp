@@ -15,6 +15,7 @@ namespace {
 constexpr int most_iterations = 60;
 constexpr int most_rounds = 4;
 constexpr int gap_rounds = 2;
+/// Of the largest target: what a fit in 3-D must reach before it may end for want of digits.
 constexpr double slight_residual = 1e-6;
 constexpr int most_moments = std::tuple_size_v<FaceMoments>;
 /// A row that misses its target by this share of the bulk's second moment is given up.

@@ -95,12 +95,13 @@ void FaceHistory::follow(double from, double to) {
     Site site = site_of(n);
     const auto before = row(site, 0, from);
     const auto after = row(site, bit(site.passings.size()) - 1, from);
-    const auto earlier = first_.find(site.number);
-    if (before == nullptr && after == nullptr && earlier == first_.end()) continue;
+    const auto found = first_.find(site.number);
+    // Stays where it is while others are recorded.
+    const std::vector<double>* const earlier = found == first_.end() ? nullptr : &found->second;
+    if (before == nullptr && after == nullptr && earlier == nullptr) continue;
     for (std::size_t k = 0; k < count; ++k) {
       const bool changes = (before != nullptr && (*before)[k] != 1.0) || (after != nullptr && (*after)[k] != 1.0) ||
-                           (earlier != first_.end() && earlier->second[k] != 1.0) ||
-                           later_.contains(site.number * count + k);
+                           (earlier != nullptr && (*earlier)[k] != 1.0) || later_.contains(site.number * count + k);
       if (!changes || done_[n * count + k]) continue;
       time_passings(site, static_cast<int>(k));
       record(site, static_cast<int>(k), from, to);

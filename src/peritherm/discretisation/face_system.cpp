@@ -53,8 +53,7 @@ double FaceSystem::weight(std::size_t e) const {
 
 FaceMoments FaceSystem::moments_of(const Row& row, int entry) const {
   const GridIndex& offset = stencil_.entries[static_cast<std::size_t>(entry)].offset;
-  return row.frame({static_cast<double>(offset[0]), static_cast<double>(offset[1]), static_cast<double>(offset[2])},
-                   points_.points()[row.point].jump(static_cast<std::size_t>(entry)));
+  return row.frame(in_spacings(offset), points_.points()[row.point].jump(static_cast<std::size_t>(entry)));
 }
 
 void FaceSystem::scale_members() {

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double relative_tolerance = 1e-9;  // of the spacing
 constexpr double nudge_over_tolerance = 1e3;
-constexpr double first_mean_temperature = 300.0;  // [K]; until the faces' own is known
 
 Point unit(const Point& a) { return scaled(a, 1.0 / length(a)); }
 
@@ -64,7 +63,7 @@ CrackSurface::CrackSurface(const Crack& crack, int dimension, double spacing)
     for (const Point& point : points_) plane_corners_.push_back(in_plane(point));
   }
   adjusts_tips_ = !crack.tip_shift || std::holds_alternative<AutomaticTipShift>(*crack.tip_shift);
-  if (crack.gap && follows_temperatures(*crack.gap)) radiating_ = std::get<GapRadiation>(*crack.gap);
+  if (follows_temperatures(crack)) radiating_ = std::get<GapRadiation>(*crack.gap);
   if (crack.gap) gap_coefficient_ = peritherm::gap_coefficient(*crack.gap, first_mean_temperature);
   if (crack.contact) contact_changes_ = peritherm::contact_changes(*crack.contact);
   measure_segments();

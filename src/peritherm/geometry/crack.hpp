@@ -100,8 +100,8 @@ using GapExchange = std::variant<GapConvection, GapRadiation>;
 /// h of an exchange across a gap [W/(m² K)]; where faces radiate by their own temperatures, for an absolute mean of
 /// these [K].
 double gap_coefficient(const GapExchange& gap, double mean_temperature);
-/// Whether h depends on the temperatures of the faces.
-bool follows_temperatures(const GapExchange& gap);
+/// At which faces that radiate by their own temperatures are looked at first [K].
+inline constexpr double first_mean_temperature = 300.0;
 
 struct ContactAtTimes {
   std::vector<double> times, shares;
@@ -174,6 +174,9 @@ struct Crack {
   }
   bool operator==(const Crack&) const = default;
 };
+
+/// Do its faces radiate by their own temperatures?
+bool follows_temperatures(const Crack& crack);
 
 /// What is wrong with the crack in a body of this dimension; empty if nothing is.
 std::string find_fault(const Crack& crack, int dimension);

@@ -146,7 +146,7 @@ std::string find_fault(const Crack& crack, int dimension) {
   if (std::string fault = number_fault(crack, dimension); !fault.empty()) return fault;
   if (std::string fault = fault_of_any(crack.gap); !fault.empty()) return fault;
   if (std::string fault = fault_of_any(crack.contact); !fault.empty()) return fault;
-  if (crack.gap && follows_temperatures(*crack.gap) && (crack.tip_speed || crack.start_time > 0.0 || crack.contact))
+  if (follows_temperatures(crack) && (crack.tip_speed || crack.start_time > 0.0 || crack.contact))
     return "'gap' radiates by the faces' own temperatures, and so far only where the crack stands and stays open. Give "
            "gap.temperature, or leave out tip_speed, start_time and contact";
   return crack.disc ? disc_fault(*crack.disc, dimension) : points_fault(crack, dimension);

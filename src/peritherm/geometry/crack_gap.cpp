@@ -41,8 +41,8 @@ double gap_coefficient(const GapExchange& gap, double mean_temperature) {
   return std::visit([&](const auto& kind) { return coefficient_of(kind, mean_temperature); }, gap);
 }
 
-bool follows_temperatures(const GapExchange& gap) {
-  const auto* const radiation = std::get_if<GapRadiation>(&gap);
+bool follows_temperatures(const Crack& crack) {
+  const auto* const radiation = crack.gap ? std::get_if<GapRadiation>(&*crack.gap) : nullptr;
   return radiation != nullptr && !radiation->temperature;
 }
 

@@ -266,7 +266,7 @@ void check_tip_shifts(Checker& checker) {
 /// Faces that radiate by their own temperatures are fitted anew as these change.
 void check_radiating_gap(Checker& checker, const std::string& key, const Crack& crack) {
   const Problem& problem = checker.problem;
-  if (!crack.gap || !follows_temperatures(*crack.gap)) return;
+  if (!follows_temperatures(crack)) return;
   const std::string hint = "Give its mean, gap.temperature";
   if (!mirrors(problem, crack)) {
     checker.add(key + ".gap", "radiates by the faces' own temperatures, which needs mirroring faces",
@@ -279,7 +279,7 @@ void check_radiating_gap(Checker& checker, const std::string& key, const Crack& 
   for (std::size_t other = 0; other < problem.cracks.size(); ++other) {
     if (!checker.sound(entry("crack", other))) continue;
     const Crack& moving = problem.cracks[other];
-    if (moving.gap && follows_temperatures(*moving.gap) && std::get<GapRadiation>(*moving.gap).absolute_zero < zero)
+    if (follows_temperatures(moving) && std::get<GapRadiation>(*moving.gap).absolute_zero < zero)
       checker.add(key + ".gap", "has another absolute zero than " + entry("crack", other), "A case has one scale only");
     if (&moving == &crack || !(moving.tip_speed || moving.start_time > 0.0 || moving.contact)) continue;
     checker.add(key + ".gap",

@@ -168,7 +168,7 @@ void check_linear(Checker& checker) {
   const auto& cracks = checker.problem.cracks;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     const std::string key = entry("crack", i);
-    if (!checker.sound(key) || !cracks[i].gap || !follows_temperatures(*cracks[i].gap)) continue;
+    if (!checker.sound(key) || !follows_temperatures(cracks[i])) continue;
     checker.add(key + ".gap", "radiates by the faces' own temperatures, and a reduced model is linear in these",
                 "Give the mean of both, gap.temperature");
   }

@@ -15,13 +15,12 @@ namespace {
 constexpr double largest_difference = 1e-5;
 constexpr double first_share = 1e-3;  ///< of the time to the first output
 constexpr double most_growth = 3.0, least_growth = 0.2, caution = 0.8;
-/// Of what is left, when nothing else ends an interval: loads have jumped within it.
+/// Of a march; an interval this short that would be done again has a jump of loads in it.
 constexpr double least_interval = 1e-9;
 constexpr double steady_difference = 1e-9;
 /// Of the way to the means that a round ends with. Where heat is prescribed, colder faces are overshot by up to three
 /// times their distance.
 constexpr double steady_share = 0.4;
-constexpr double first_mean_temperature = 300.0;  ///< least at which a steady state is sought first [K]
 constexpr int most_repetitions = 200;
 
 double largest_difference_of(const std::vector<double>& a, const std::vector<double>& b) {
@@ -42,8 +41,8 @@ class GapStepping final : public TimeIntegrator {
     while (time < to) {
       // The last two share what is left.
       const double left = to - time, length = left < 1.5 * interval_ ? left : std::min(interval_, 0.5 * left);
-      least_ = least_interval * (to - from);
-      time = pass(time, left == length ? to : time + length, temperature, after_step);
+      const bool least = length <= least_interval * (to - from);
+      time = pass(time, left == length ? to : time + length, least, temperature, after_step);
       if (stopped_) break;
     }
     return time;
@@ -61,7 +60,8 @@ class GapStepping final : public TimeIntegrator {
 
  private:
   /// From one time to another or, if the faces go another way than they were taken to, not; returns the time reached.
-  double pass(double from, double to, Field temperature, const AfterStep& after_step) {
+  /// The `least` interval is passed whatever the faces do.
+  double pass(double from, double to, bool least, Field temperature, const AfterStep& after_step) {
     stopped_ = false;
     start_.assign(temperature.begin(), temperature.end());
     const FaceMeans before = look(from, temperature);
@@ -81,9 +81,8 @@ class GapStepping final : public TimeIntegrator {
     }
     const double growth = caution * std::sqrt(largest_difference / std::max(difference, 1e-300));
     const double next = (to - from) * std::clamp(growth, least_growth, most_growth);
-    const bool jumps = to - from <= least_;
-    if (difference <= 2.0 * largest_difference || jumps) {
-      if (jumps) std::fill(slopes_.begin(), slopes_.end(), 0.0);
+    if (difference <= 2.0 * largest_difference || least) {
+      if (least) std::fill(slopes_.begin(), slopes_.end(), 0.0);
       // The end of a march may have cut the interval short.
       interval_ = to - from < interval_ ? std::max(interval_, next) : next;
       return to;
@@ -142,7 +141,7 @@ class GapStepping final : public TimeIntegrator {
   StepCount done_;
   std::vector<double> start_;   ///< state at the beginning of an interval
   std::vector<double> slopes_;  ///< of the faces' means in time, over the last interval
-  double interval_ = 0.0, least_ = 0.0;
+  double interval_ = 0.0;
   bool stopped_ = false;
 };
 

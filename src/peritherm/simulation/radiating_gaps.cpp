@@ -32,8 +32,7 @@ std::array<double, 4> cubic_weights(const std::array<double, 4>& places, double 
 }  // namespace
 
 bool RadiatingGaps::needed(const Problem& problem) {
-  return std::any_of(problem.cracks.begin(), problem.cracks.end(),
-                     [](const Crack& crack) { return crack.gap && follows_temperatures(*crack.gap); });
+  return std::any_of(problem.cracks.begin(), problem.cracks.end(), follows_temperatures);
 }
 
 RadiatingGaps::RadiatingGaps(const Problem& problem, Assembly& assembly)
@@ -45,7 +44,7 @@ RadiatingGaps::RadiatingGaps(const Problem& problem, Assembly& assembly)
   double conductivity = 0.0;
   for (const Material& material : body.materials) conductivity = std::max(conductivity, material.conductivity);
   for (const Crack& crack : problem_.cracks) {
-    if (!crack.gap || !follows_temperatures(*crack.gap)) continue;
+    if (!follows_temperatures(crack)) continue;
     exchanged_ = std::max(exchanged_, gap_coefficient(*crack.gap, 1.0) / conductivity);
   }
 }
@@ -196,8 +195,10 @@ double RadiatingGaps::largest_change() const {
     capacity = std::min(capacity, volumetric_heat_capacity(material) * body.grid.cell_volume());
   }
   double largest = 0.0;
-  for (const std::int64_t number : points_) {
-    const auto point = static_cast<std::size_t>(number);
+  const auto count = static_cast<std::int64_t>(points_.size());
+#pragma omp parallel for schedule(static) reduction(max : largest)
+  for (std::int64_t n = 0; n < count; ++n) {
+    const auto point = static_cast<std::size_t>(points_[static_cast<std::size_t>(n)]);
     const MirroredFaces::Row before = reference_.row(point), now = body.faces.row(point);
     double sum = 0.0;
     for (const StencilEntry& entry : assembly_.geometry.stencil.entries) {

@@ -24,13 +24,13 @@ void check_absolute_zero(const Problem& problem, TemperatureScale scale, const L
   const bool celsius = scale == TemperatureScale::celsius;
   for (std::size_t i = 0; i < problem.cracks.size() && scale != TemperatureScale::none; ++i) {
     const Crack& crack = problem.cracks[i];
-    const auto* radiation = crack.gap ? std::get_if<GapRadiation>(&*crack.gap) : nullptr;
-    if (radiation == nullptr || radiation->temperature) continue;
-    if (radiation->absolute_zero == (celsius ? -273.15 : 0.0)) continue;
+    if (!follows_temperatures(crack)) continue;
+    const double zero = std::get<GapRadiation>(*crack.gap).absolute_zero;
+    if (zero == (celsius ? -273.15 : 0.0)) continue;
     issues.push_back({find_location(locations, "crack." + std::to_string(i) + ".gap"),
                       celsius
                           ? "radiates by the faces' own temperatures, which are in °C, but absolute zero is given as " +
-                                shortest(radiation->absolute_zero)
+                                shortest(zero)
                           : "temperatures are in K, but absolute zero is not 0",
                       celsius ? "Add absolute_zero = -273.15" : "Leave absolute_zero out"});
   }

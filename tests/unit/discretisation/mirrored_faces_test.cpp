@@ -245,6 +245,40 @@ TEST(MirroredFaces, work_on_a_bar_and_in_a_solid) {
   EXPECT_GE(solid.body.faces.lowest_share(), 0.0);
 }
 
+TEST(MirroredFaces, of_a_straight_crack_do_not_depend_on_its_corners) {
+  std::vector<Coordinates> corners;
+  for (int k = 0; k <= 100; ++k) corners.push_back({4.1 + 0.111 * k, 6.3 + 0.066 * k});
+  const MirroredPlate fine(20, PointPlacement::centres, {corners});
+  const MirroredPlate plain(20, PointPlacement::centres, {{corners.front(), corners.back()}});
+  ASSERT_FALSE(plain.body.faces.empty());
+  for (std::size_t n = 0; n < plain.body.grid.size(); ++n) {
+    const GridIndex p = plain.body.grid.index(n);
+    for (const StencilEntry& entry : plain.stencil.entries)
+      EXPECT_NEAR(fine.conductance(p, entry), plain.conductance(p, entry), 1e-6) << n;
+  }
+}
+
+TEST(MirroredFaces, of_coincident_cracks_are_those_of_the_one_that_conducts_least) {
+  const auto shares = [](bool gap_first, bool both) {
+    Problem problem = unit_body(2, 20, 3.0);
+    Crack plain, gap;
+    plain.points = gap.points = {{0.2, 0.41}, {0.8, 0.57}};
+    gap.gap = GapConvection{3.0};
+    problem.cracks = both ? std::vector<Crack>{gap_first ? gap : plain, gap_first ? plain : gap} : std::vector{plain};
+    const Geometry geometry = make_geometry(problem);
+    std::vector<double> found;
+    for (std::size_t n = 0; n < geometry.body.grid.size(); ++n) {
+      for (const StencilEntry& entry : geometry.stencil.entries) {
+        const MirroredFaces& faces = geometry.body.faces;
+        found.push_back(faces.row(n).find(faces.number_of(entry.offset)).value_or(1.0));
+      }
+    }
+    return found;
+  };
+  EXPECT_EQ(shares(true, true), shares(false, false));
+  EXPECT_EQ(shares(false, true), shares(false, false));
+}
+
 TEST(MirroredFaces, may_be_given_up_altogether) {
   // Neighbours on both sides only, 0.26 and 0.74 spacings from a gap that conducts as much as a spacing.
   Problem problem = unit_body(1, 20, 1.5);
